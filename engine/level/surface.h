@@ -62,6 +62,8 @@ constexpr bool isThing(SurfaceKind kind) { return isSprite(kind) || kind == Surf
 constexpr bool mayHaveHoles(SurfaceKind kind) {
   return kind == SurfaceKind::MaskedMiddle || isSprite(kind);
 }
+/// Whether it shines where it wears the texture of an emitter.
+constexpr bool canShine(SurfaceKind kind) { return !isSky(kind) && !mayHaveHoles(kind); }
 /// Whether it stands upright on a segment.
 constexpr bool isUpright(SurfaceKind kind) {
   return kind <= SurfaceKind::MaskedMiddle || kind >= SurfaceKind::SkyUpperStep;

@@ -1,8 +1,10 @@
 #include "light/geometry_hash.h"
 
 #include <optional>
+#include <string_view>
 #include <variant>
 
+#include "light/gather/area_lights.h"
 #include "math/hash.h"
 
 namespace hearth {
@@ -78,6 +80,11 @@ class GeometryHasher {
   const PartNumbers& numbers_;
 };
 
+/// The name of a texture that shines; empty for others.
+std::string_view shiningName(const Level& level, const AreaLights& lights, TextureId texture) {
+  return lights.ofTexture(texture) ? level.textures[texture.index()] : std::string_view();
+}
+
 }  // namespace
 
 std::uint64_t geometryHash(const Scene& scene, double texel) {
@@ -109,6 +116,23 @@ void addMesh(Hash& hash, const Level& level, const Mesh& mesh) {
   hash.addWhole(mesh.faceCount);
   for (const MeshFace& face : level.facesOf(mesh))
     for (const Vec3 corner : face.corners) hash.addPoint(corner);
+}
+
+std::vector<std::uint64_t> hashesOfShining(const Level& level, const AreaLights& lights) {
+  if (!lights.haveSurfaces()) return {};
+  std::vector<Hash> hashes(level.sectors.size());
+  for (const Surface& surface : level.surfaces)
+    if (canShine(surface.kind))
+      hashes[surface.sector.index()].addText(shiningName(level, lights, surface.mapping.texture));
+  std::vector<std::uint64_t> values;
+  for (const Hash& hash : hashes) values.push_back(hash.value());
+  return values;
+}
+
+void addShining(Hash& hash, const Level& level, const AreaLights& lights, const Mesh& mesh) {
+  if (!lights.haveFaces()) return;
+  for (const MeshFace& face : level.facesOf(mesh))
+    hash.addText(shiningName(level, lights, face.texture));
 }
 
 void addHoles(Hash& hash, const TexelHoles& holes) {

@@ -2,11 +2,13 @@
 
 #include <cstdint>
 #include <functional>
+#include <vector>
 
 #include "level/scene.h"
 
 namespace hearth {
 
+class AreaLights;
 class Hash;
 
 /// A hash of all that decides which surfaces show, in which order, and where their texels lie,
@@ -28,6 +30,12 @@ void addGeometry(Hash& hash, const Scene& scene, const Sector& sector, const Par
 
 /// Adds where the faces of a mesh are, and what they do to light.
 void addMesh(Hash& hash, const Level& level, const Mesh& mesh);
+
+/// By sector, a hash of which of its surfaces shine, each by the name of its texture; empty where
+/// no surfaces of the level can.
+std::vector<std::uint64_t> hashesOfShining(const Level& level, const AreaLights& lights);
+/// Adds which faces of a mesh shine, in the same way; nothing where none of the level can.
+void addShining(Hash& hash, const Level& level, const AreaLights& lights, const Mesh& mesh);
 
 /// Adds which texels of a masked middle texture are holes; nothing where none is.
 void addHoles(Hash& hash, const TexelHoles& holes);

@@ -5,6 +5,7 @@
 #include <span>
 #include <variant>
 
+#include "light/gather/area_lights.h"
 #include "light/geometry_hash.h"
 #include "math/hash.h"
 
@@ -14,7 +15,11 @@ namespace {
 
 class Printer {
  public:
-  Printer(const Scene& scene, const LitSurfaces& surfaces) : scene_(scene), surfaces_(surfaces) {
+  Printer(const Scene& scene, const LitSurfaces& surfaces)
+      : scene_(scene),
+        surfaces_(surfaces),
+        areas_(scene.level()),
+        shining_(hashesOfShining(scene.level(), areas_)) {
     for (const Sector& sector : scene.level().sectors) names_.push_back(hashOf(sector.name));
     for (const TexelHoles& texture : scene.level().holes) holes_.push_back(hashOf(texture));
     for (const Mesh& mesh : scene.level().meshes) meshes_.push_back(hashOf(mesh));
@@ -49,6 +54,7 @@ class Printer {
   std::uint64_t hashOf(const Mesh& mesh) const {
     Hash hash;
     addMesh(hash, scene_.level(), mesh);
+    addShining(hash, scene_.level(), areas_, mesh);
     return hash.value();
   }
 
@@ -68,6 +74,7 @@ class Printer {
     Hash hash;
     hash.addText(sector.name);
     addGeometry(hash, scene_, sector, numbers);
+    if (!shining_.empty()) hash.addWhole(shining_[sector.id.index()]);
     return hash.value();
   }
 
@@ -166,6 +173,8 @@ class Printer {
 
   Scene scene_;
   const LitSurfaces& surfaces_;
+  AreaLights areas_;
+  std::vector<std::uint64_t> shining_;   ///< by SectorId; empty where no surfaces can shine
   std::vector<std::uint64_t> names_;     ///< by SectorId
   std::vector<std::uint64_t> holes_;     ///< by TextureId
   std::vector<std::uint64_t> meshes_;    ///< hashes, in the level's order

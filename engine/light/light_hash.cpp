@@ -1,5 +1,6 @@
 #include "light/light_hash.h"
 
+#include "light/gather/area_lights.h"
 #include "light/geometry_hash.h"
 #include "math/hash.h"
 
@@ -24,8 +25,12 @@ void add(Hash& hash, const BakeSettings& settings) {
 std::uint64_t lightHash(const Scene& scene, const BakeSettings& settings) {
   Hash hash;
   hash.addWhole(geometryHash(scene, settings.texel));
-  hash.addWhole(scene.level().lights.size());
-  for (const LightSource& light : scene.level().lights) addLight(hash, light, light.sector.value);
+  const Level& level = scene.level();
+  const AreaLights areas(level);
+  for (const std::uint64_t shining : hashesOfShining(level, areas)) hash.addWhole(shining);
+  for (const Mesh& mesh : level.meshes) addShining(hash, level, areas, mesh);
+  hash.addWhole(level.lights.size());
+  for (const LightSource& light : level.lights) addLight(hash, light, light.sector.value);
   add(hash, settings);
   return hash.value();
 }

@@ -72,6 +72,12 @@ bool addMeshSectorsWithinLimit(Linking& linking) {
   return false;
 }
 
+/// Once all have ids.
+void nameTextures(Linking& linking) {
+  for (const NamedTexture& texture : linking.textures.textures())
+    linking.level.textures.push_back(texture.name);
+}
+
 /// A level that says nothing about light shows everything.
 void lightFully(Linking& linking) {
   for (Sector& sector : linking.level.sectors) sector.light = 1;
@@ -100,6 +106,7 @@ std::optional<LinkedLevel> LevelLinker::link(const LevelDescription& description
         readTextures(report_, table, linking.scene(),
                      {place_.files, place_.level, description.textures}, place_.limits);
   if (isEmpty) return std::nullopt;
+  nameTextures(linking);
   const std::vector<Image>& all = images ? *images : linked.textures.images;
   sizeSprites(linking.level, all);
   addThingSurfaces(linking.level, linking.geometry);
@@ -116,8 +123,6 @@ std::optional<LinkedLevel> LevelLinker::link(const LevelDescription& description
   if (!addBodiesWithinLimit(linking) || !addMeshSectorsWithinLimit(linking)) return std::nullopt;
   if (saysNothingOfLight(description, lights)) lightFully(linking);
 
-  for (const NamedTexture& texture : table.textures())
-    linking.level.textures.push_back(texture.name);
   linking.level.holes = holesOfMaskedMiddles(linking.scene(), all);
   linked.level = std::move(linking.level);
   linked.geometry = std::move(linking.geometry);
@@ -153,6 +158,7 @@ void LevelLinker::validateAt(const LevelDescription& description, const LightsDe
   if (linkSectors(linking)) {
     linkSprites(linking);
     validateMeshPositions(linking);
+    nameTextures(linking);
     linkPositions(linking, lights);
   }
   report_.addErrors(found, wordsFor(description.movers, moved));

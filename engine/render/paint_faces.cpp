@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <span>
 
 #include "render/face_mapping.h"
 #include "render/footprint.h"
@@ -87,13 +88,25 @@ void forEachSpanIn(const PixelBlock& block, const FaceGroup& group, SpanByLane& 
 
 void SpanPainter::paint(const FaceGroup& group, LightMode mode, PixelBlock& block, Strip& strip,
                         PaintStats& stats) const {
-  const Material material =
-      materialOf(group.mesh, group.spans.front().front->texture).shownIn(mode);
+  const std::span<const FaceSpan> spans = group.spans;
+  for (std::size_t i = 0; i < spans.size(); ++i) {
+    const auto isAlike = [&](const FaceSpan& span) { return glowOf(span) == glowOf(spans[i]); };
+    if (std::ranges::none_of(spans.first(i), isAlike))
+      paintAlike(group, spans[i], mode, block, strip);
+  }
+  count(materialOf(group.mesh, spans.front().front->texture).shownIn(mode), spans.size(),
+        group.pixels, stats);
+}
+
+void SpanPainter::paintAlike(const FaceGroup& group, const FaceSpan& first, LightMode mode,
+                             PixelBlock& block, Strip& strip) const {
+  const Material material = materialOf(group.mesh, first.front->texture).shownIn(mode);
   const bool areWhite = mode == LightMode::Only;
   const bool areMixed = settings_.textureFilter == TextureFilter::Bilinear && !areWhite;
   // Each face has an image of its own. Where no face is, the picture stays as it is.
   const GroupTexels texels{nullptr, areMixed, true, areWhite};
-  const GroupLight light{material.lightmap, material.sectorLight, false};
+  const GroupLight light{material.lightmap, material.evenLight, false};
+  const Vec3 glow = glowOf(first);
   block.columns = {{}, group.rowBegin, group.rowEnd};
   block.columns.rows.begin.fill(group.rowBegin);
   block.columns.rows.end.fill(group.rowEnd);
@@ -102,6 +115,7 @@ void SpanPainter::paint(const FaceGroup& group, LightMode mode, PixelBlock& bloc
     block.colors[0].fill(kHoleBit);
     if (light.varies()) block.lightTexels.fill(0);
     forEachSpanIn(block, group, next, [&](const FaceSpan& span, int column) {
+      if (glowOf(span) != glow) return;
       colorFace(span, column, areMixed, block);
       if (light.varies()) lightFace(span, column, material, block);
     });
@@ -109,7 +123,6 @@ void SpanPainter::paint(const FaceGroup& group, LightMode mode, PixelBlock& bloc
       for (std::uint32_t& color : block.colors[0]) color |= color == kHoleBit ? 0 : 0xFFFFFF;
     kernels_.shade(block, texels, light, strip.row(block.firstRow));
   });
-  count(material, group.spans.size(), group.pixels, stats);
 }
 
 /// Gives those rows of a block their colours in which a face shows.

@@ -13,6 +13,7 @@
 
 #include <cstdint>
 
+#include "math/vec.h"
 #include "render/pixel_block.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -217,32 +218,41 @@ HWY_INLINE Words shaded(Words colors, const Channels& shown) {
                 hn::And(product(middle, shown.middle), allWords(0xFF00)));
 }
 
-/// What shows in the light of a lightmap and of the sector: min(1, lightmap + sector). In numbers
-/// of which 256 * 255 is all.
-class SectorLight {
+/// What shows in the light of a lightmap and in even light: min(1, lightmap + even). In numbers of
+/// which 256 * 255 is all.
+class EvenLight {
  public:
-  explicit SectorLight(double level)
-      : level_(static_cast<std::uint32_t>(level * kAll + 0.5) * 0x10001),
-        room_(kAll * 0x10001 - level_) {}
+  /// Fractions of red, green and blue, 0..1.
+  explicit EvenLight(Vec3 light)
+      : outer_(wordOf(light.x) << 16 | wordOf(light.z)),
+        middle_(wordOf(light.y) * 0x10001),
+        isGrey_(outer_ == middle_) {}
 
   /// `levels` are those of the lightmap, in 128ths: of three channels, or the same of all.
   HWY_INLINE Channels shownWith(const Channels& levels) const {
-    return {with(levels.outer), with(levels.middle)};
+    return {with(levels.outer, outer_), with(levels.middle, middle_)};
   }
   HWY_INLINE Channels shownWith(Words level) const {
-    const Words shown = with(level);
-    return {shown, shown};
+    const Words outer = with(level, outer_);
+    return {outer, isGrey_ ? outer : with(level, middle_)};
   }
 
  private:
   static constexpr std::uint32_t kAll = 256 * 255;
 
-  HWY_INLINE Words with(Words levels) const {
-    return hn::Add(minOfUnsignedFields(hn::Add(levels, levels), allWords(room_)), allWords(level_));
+  static std::uint32_t wordOf(double fraction) {
+    return static_cast<std::uint32_t>(fraction * kAll + 0.5);
   }
 
-  std::uint32_t level_;  ///< in both fields
-  std::uint32_t room_;   ///< for the lightmap
+  /// What is left for the lightmap is taken of it.
+  static HWY_INLINE Words with(Words levels, std::uint32_t even) {
+    return hn::Add(minOfUnsignedFields(hn::Add(levels, levels), allWords(kAll * 0x10001 - even)),
+                   allWords(even));
+  }
+
+  std::uint32_t outer_;   ///< red and blue, as in Channels
+  std::uint32_t middle_;  ///< green, in both fields
+  bool isGrey_;           ///< the same in all channels
 };
 
 }  // namespace hearth::HWY_NAMESPACE

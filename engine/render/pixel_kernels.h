@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "light/lightmap.h"
+#include "math/vec.h"
 #include "render/draw_settings.h"
 #include "render/group_mapping.h"
 #include "render/pixel_block.h"
@@ -14,7 +15,7 @@ namespace hearth {
 /// The light of a group's pixels.
 struct GroupLight {
   const Lightmap* lightmap;  ///< null if no light reaches the surface
-  double sectorLight;        ///< 0..1
+  Vec3 evenLight;            ///< see Material
   /// Down a column all pixels are between the same two columns of the lightmap, as on walls.
   bool keepsColumns;
 

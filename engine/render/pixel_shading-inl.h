@@ -57,12 +57,12 @@ struct MixedTexels {
 /// The same light in all pixels.
 class UniformLight {
  public:
-  UniformLight(const Lightmap* lightmap, const SectorLight& sector) {
+  UniformLight(const Lightmap* lightmap, const EvenLight& even) {
     const auto level = [&](int channel) {
       if (!lightmap) return std::uint32_t{0};
       return std::uint32_t{lightmap->at(lightmap->rect.i0, lightmap->rect.j0, channel)};
     };
-    shown_ = sector.shownWith(channelsOf(allWords(level(0) << 16 | level(1) << 8 | level(2))));
+    shown_ = even.shownWith(channelsOf(allWords(level(0) << 16 | level(1) << 8 | level(2))));
   }
 
   HWY_INLINE Channels shown(std::size_t, std::size_t) const { return shown_; }
@@ -207,19 +207,19 @@ class ColoredTexels {
 template <typename Texels>
 class LightBetween {
  public:
-  LightBetween(const PixelBlock& block, const Texels& texels, const SectorLight& sector)
-      : block_(block), texels_(texels), sector_(sector) {}
+  LightBetween(const PixelBlock& block, const Texels& texels, const EvenLight& even)
+      : block_(block), texels_(texels), even_(even) {}
 
   HWY_INLINE Channels shown(std::size_t pixel, std::size_t lane) {
     const auto& near = kept_.around(hn::Load(kWord, &block_.lightTexels[pixel]), lane,
                                     [&]() HWY_ATTR { return texels_.around(pixel); });
-    return sector_.shownWith(near.at(weightsAt(block_.betweenLightTexels, pixel)));
+    return even_.shownWith(near.at(weightsAt(block_.betweenLightTexels, pixel)));
   }
 
  private:
   const PixelBlock& block_;
   Texels texels_;
-  const SectorLight& sector_;
+  EvenLight even_;
   KeptTexels<decltype(texels_.around(0))> kept_;
 };
 
@@ -228,8 +228,8 @@ class LightBetween {
 template <typename Texels>
 class ColumnLightBetween {
  public:
-  ColumnLightBetween(const PixelBlock& block, const Texels& texels, const SectorLight& sector)
-      : block_(block), texels_(texels), sector_(sector) {}
+  ColumnLightBetween(const PixelBlock& block, const Texels& texels, const EvenLight& even)
+      : block_(block), texels_(texels), even_(even) {}
 
   HWY_INLINE Channels shown(std::size_t pixel, std::size_t lane) {
     const PixelBlock::Mix& mix = block_.betweenLightTexels;
@@ -237,13 +237,13 @@ class ColumnLightBetween {
         kept_.around(hn::Load(kWord, &block_.lightTexels[pixel]), lane, [&]() HWY_ATTR {
           return texels_.around(pixel).rowsAt(hn::Load(kWord, &mix.across[pixel]));
         });
-    return sector_.shownWith(rows.at(hn::Load(kWord, &mix.down[pixel])));
+    return even_.shownWith(rows.at(hn::Load(kWord, &mix.down[pixel])));
   }
 
  private:
   const PixelBlock& block_;
   Texels texels_;
-  const SectorLight& sector_;
+  EvenLight even_;
   KeptTexels<decltype(texels_.around(0).rowsAt(Words()))> kept_;
 };
 
@@ -290,24 +290,24 @@ inline void shadeTexels(const PixelBlock& block, const GroupTexels& texels, cons
 
 template <typename LightTexels>
 inline void shadeBetween(const PixelBlock& block, const GroupTexels& texels,
-                         const LightTexels& lightTexels, bool keepsColumns,
-                         const SectorLight& sector, std::uint32_t* rows) {
+                         const LightTexels& lightTexels, bool keepsColumns, const EvenLight& even,
+                         std::uint32_t* rows) {
   if (keepsColumns)
-    shadeTexels(block, texels, ColumnLightBetween(block, lightTexels, sector), rows);
+    shadeTexels(block, texels, ColumnLightBetween(block, lightTexels, even), rows);
   else
-    shadeTexels(block, texels, LightBetween(block, lightTexels, sector), rows);
+    shadeTexels(block, texels, LightBetween(block, lightTexels, even), rows);
 }
 
 inline void shade(const PixelBlock& block, const GroupTexels& texels, const GroupLight& light,
                   std::uint32_t* rows) {
-  const SectorLight sector(light.sectorLight);
+  const EvenLight even(light.evenLight);
   if (!light.varies())
-    shadeTexels(block, texels, UniformLight(light.lightmap, sector), rows);
+    shadeTexels(block, texels, UniformLight(light.lightmap, even), rows);
   else if (light.lightmap->channels == 1)
-    shadeBetween(block, texels, WhiteTexels(block, *light.lightmap), light.keepsColumns, sector,
+    shadeBetween(block, texels, WhiteTexels(block, *light.lightmap), light.keepsColumns, even,
                  rows);
   else
-    shadeBetween(block, texels, ColoredTexels(block, *light.lightmap), light.keepsColumns, sector,
+    shadeBetween(block, texels, ColoredTexels(block, *light.lightmap), light.keepsColumns, even,
                  rows);
 }
 

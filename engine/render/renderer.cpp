@@ -225,6 +225,7 @@ Renderer::Renderer(const Scene& scene, DrawnTextures textures, const BakedLight&
       sprites_(scene.level()),
       textures_(std::move(textures)),
       light_(light),
+      glow_(scene.level()),
       settings_(settings) {}
 
 Renderer::Renderer(const Scene& scene, const std::vector<Image>& images, const BakedLight& light,
@@ -246,7 +247,8 @@ void Renderer::paintSpans(const Camera& camera, LightMode mode, FrameScratch& sc
   checkSize(picture, camera);
   const int pixelSize = settings_.pixelSize;
   const Projection projection = projectionFor(scene_, camera, pixelSize);
-  const SpanPainter painter(scene_, *textures_, light_, settings_, projection, scratch.raySlopes);
+  const SpanPainter painter(scene_, *textures_, light_, glow_, settings_, projection,
+                            scratch.raySlopes);
   paintStrips(scratch, pixelSize, picture, workers, false,
               [&](const auto& group, PixelBlock& block, Strip& strip, PaintStats& stats) {
                 painter.paint(group, mode, block, strip, stats);
@@ -258,7 +260,8 @@ void Renderer::draw(const Camera& camera, Channel channel, FrameScratch& scratch
   checkSize(picture, camera);
   findSpans(camera, 1, scratch, workers);
   const Projection projection = projectionFor(scene_, camera);
-  const SpanPainter painter(scene_, *textures_, light_, settings_, projection, scratch.raySlopes);
+  const SpanPainter painter(scene_, *textures_, light_, glow_, settings_, projection,
+                            scratch.raySlopes);
   std::vector<std::size_t> numbers;
   if (channel == Channel::Surface || channel == Channel::Faces) numbers = numbersOfShown(scene_);
   const ChannelFrame frame{channel, scene_.level(), projection.eye(), numbers, scratch.raySlopes};
@@ -274,7 +277,8 @@ void Renderer::draw(const Camera& camera, Marks marks, FrameScratch& scratch,
   checkSize(picture, camera);
   findSpans(camera, 1, scratch, workers);
   const Projection projection = projectionFor(scene_, camera);
-  const SpanPainter painter(scene_, *textures_, light_, settings_, projection, scratch.raySlopes);
+  const SpanPainter painter(scene_, *textures_, light_, glow_, settings_, projection,
+                            scratch.raySlopes);
   switch (marks) {
     case Marks::Texels:
       paintMarked<ShownTexel>(scene_, painter, scratch, picture, workers);

@@ -12,6 +12,7 @@
 #include "render/channel.h"
 #include "render/draw_settings.h"
 #include "render/frame_scratch.h"
+#include "render/glow.h"
 #include "render/texture.h"
 
 namespace hearth {
@@ -63,6 +64,7 @@ class Renderer {
   SpriteIndex sprites_;
   DrawnTextures textures_;
   const BakedLight& light_;
+  Glow glow_;
   DrawSettings settings_;
 };
 

@@ -66,7 +66,7 @@ void SpanPainter::paint(const SpanGroup& group, LightMode mode, PixelBlock& bloc
   const GroupMapping mapping =
       hearth::mappingOf(scene_, projection_, group, &material.image(), material.lit);
   const bool keepsColumns = !mapping.isPlane && !mapping.isOfFace;
-  const GroupLight light{material.lightmap, material.sectorLight, keepsColumns};
+  const GroupLight light{material.lightmap, material.evenLight, keepsColumns};
   // Between the texels of a hole and of its edge nothing is mixed: it would be half a hole.
   const bool haveHoles = mayHaveHoles(material.surface.kind);
   const TextureFilter filter = haveHoles ? TextureFilter::Nearest : settings_.textureFilter;
@@ -136,7 +136,7 @@ Material SpanPainter::materialOf(SurfaceId id, TextureId texture) const {
   const Surface& surface = scene_[id];
   const auto& lightmap = light_.lightmaps[id.index()];
   return {surface, textures_[texture.index()], lightmap ? &*lightmap : nullptr, litPlacesOf(id),
-          sectorLightOn(id)};
+          evenLightOn(id, texture)};
 }
 
 LitPlaces SpanPainter::litPlacesOf(SurfaceId id) const {
@@ -149,11 +149,15 @@ LitPlaces SpanPainter::litPlacesOf(SurfaceId id) const {
   return {lit ? &*lit : nullptr, nullptr};
 }
 
-double SpanPainter::sectorLightOn(SurfaceId id) const {
+Vec3 SpanPainter::evenLightOn(SurfaceId id, TextureId texture) const {
   const Surface& surface = scene_[id];
   const bool isBright =
       isSky(surface.kind) || (isSprite(surface.kind) && scene_.level().spriteOf(id).isBright);
-  return isBright ? 1 : scene_[surface.sector].light;
+  if (isBright) return {1, 1, 1};
+  const double sector = scene_[surface.sector].light;
+  const Vec3 glow = glow_.of(surface.kind, texture);
+  return {std::min(1.0, sector + glow.x), std::min(1.0, sector + glow.y),
+          std::min(1.0, sector + glow.z)};
 }
 
 }  // namespace hearth

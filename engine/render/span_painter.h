@@ -7,9 +7,11 @@
 
 #include "level/scene.h"
 #include "light/bakery.h"
+#include "math/vec.h"
 #include "render/camera.h"
 #include "render/draw_settings.h"
 #include "render/frame_stats.h"
+#include "render/glow.h"
 #include "render/group_mapping.h"
 #include "render/pixel_block.h"
 #include "render/pixel_kernels.h"
@@ -25,7 +27,8 @@ struct Material {
   const MipMap& texture;
   const Lightmap* lightmap;  ///< null where no light reaches the surface
   LitPlaces lit;             ///< nowhere on skies and sprites
-  double sectorLight;        ///< 0..1; sky and some sprites are bright by themselves
+  Vec3 evenLight;            ///< of the sector, and what the texture shines with: fractions of
+                             ///< red, green, blue, 0..1; sky and some sprites have all of it
 
   const Texture& image() const { return texture.full(); }
   /// Whether light differs from pixel to pixel.
@@ -36,7 +39,7 @@ struct Material {
   Material shownIn(LightMode mode) const {
     const bool isLit = mode != LightMode::None;
     return {surface, texture, isLit ? lightmap : nullptr,
-            isLit && hasVaryingLight() ? lit : LitPlaces{}, isLit ? sectorLight : 1};
+            isLit && hasVaryingLight() ? lit : LitPlaces{}, isLit ? evenLight : Vec3{1, 1, 1}};
   }
 };
 
@@ -47,11 +50,12 @@ class SpanPainter {
   /// All must outlive the painter. `raySlopes` are Projection::raySlopeAt the centres of all rows,
   /// and of PixelBlock::kSpareRows below the picture.
   SpanPainter(const Scene& scene, const std::vector<MipMap>& textures, const BakedLight& light,
-              const DrawSettings& settings, const Projection& projection,
+              const Glow& glow, const DrawSettings& settings, const Projection& projection,
               std::span<const double> raySlopes)
       : scene_(scene),
         textures_(textures),
         light_(light),
+        glow_(glow),
         settings_(settings),
         projection_(projection),
         raySlopes_(raySlopes) {}
@@ -75,7 +79,14 @@ class SpanPainter {
   Material materialOf(SurfaceId id, TextureId texture) const;
   TextureId textureOf(SurfaceId id, const SpriteView* view, const MeshFace* face) const;
   LitPlaces litPlacesOf(SurfaceId id) const;
-  double sectorLightOn(SurfaceId id) const;
+  Vec3 evenLightOn(SurfaceId id, TextureId texture) const;
+  /// What the face of a span shines with.
+  Vec3 glowOf(const FaceSpan& span) const {
+    return glow_.of(SurfaceKind::Mesh, span.front->texture);
+  }
+  /// Paints those spans that are alike in what they shine with.
+  void paintAlike(const FaceGroup& group, const FaceSpan& first, LightMode mode, PixelBlock& block,
+                  Strip& strip) const;
   void colorFace(const FaceSpan& span, int column, bool areMixed, PixelBlock& block) const;
   void lightFace(const FaceSpan& span, int column, const Material& material,
                  PixelBlock& block) const;
@@ -104,6 +115,7 @@ class SpanPainter {
   Scene scene_;
   const std::vector<MipMap>& textures_;
   const BakedLight& light_;
+  const Glow& glow_;
   const DrawSettings& settings_;
   const Projection& projection_;
   std::span<const double> raySlopes_;

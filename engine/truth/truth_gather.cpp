@@ -77,14 +77,11 @@ class TruthGather::Random {
 };
 
 TruthGather::TruthGather(const Level& level, const TruthLight& direct)
-    : level_(level), direct_(direct), emitted_(level.textures.size()) {
-  for (const LightSource& light : level.lights) {
-    const Vec3 levels =
-        light.intensity * Vec3{light.colorFactor(0), light.colorFactor(1), light.colorFactor(2)};
-    if (light.isSky) sky_ = levels;
-    for (std::size_t i = 0; i < emitted_.size(); ++i)
-      if (light.isEmitter() && level.textures[i] == light.texture) emitted_[i] = levels;
-  }
+    : level_(level), direct_(direct), emission_(level) {
+  for (const LightSource& light : level.lights)
+    if (light.isSky)
+      sky_ =
+          light.intensity * Vec3{light.colorFactor(0), light.colorFactor(1), light.colorFactor(2)};
 }
 
 TruthGather::Estimate TruthGather::at(const SurfacePoint& place, const Effort& effort) const {
@@ -139,7 +136,7 @@ AreaLight TruthGather::arriving(const GatherRays& rays, Vec3 direction, Random& 
     }
     if (!isFront(*hit, direction)) return light;
     Vec3& shone = bounce == 0 ? light.emitted : light.bounced;
-    shone = shone + product(reflected, emittedBy(*hit));
+    shone = shone + product(reflected, emission_.of(*hit));
     if (bounce == level_.bake.bounces) return light;
     const SurfacePoint place = litSideOf(level_, *hit);
     reflected = product(reflected, reflectanceOf(*hit));
@@ -154,11 +151,6 @@ AreaLight TruthGather::arriving(const GatherRays& rays, Vec3 direction, Random& 
 bool TruthGather::isFront(const TruthHit& hit, Vec3 direction) const {
   if (hit.mesh && level_.meshOf(*hit.mesh).isTwoSided) return true;
   return dot(litSideOf(level_, hit).normal, direction) < 0;
-}
-
-Vec3 TruthGather::emittedBy(const TruthHit& hit) const {
-  if (hit.kind == SurfaceKind::MaskedMiddle) return {};
-  return emitted_[hit.texture->texture.index()];
 }
 
 Vec3 TruthGather::reflectanceOf(const TruthHit& hit) const {

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
+#include "truth/truth_emission.h"
 #include "truth/truth_light.h"
 
 namespace hearth {
@@ -53,14 +53,13 @@ class TruthGather {
   Estimate estimate(const GatherRays& rays, const Effort& effort, Random random,
                     DirectionAt&& directionAt) const;
   AreaLight arriving(const GatherRays& rays, Vec3 direction, Random& random) const;
-  Vec3 emittedBy(const TruthHit& hit) const;
   Vec3 reflectanceOf(const TruthHit& hit) const;
   bool isFront(const TruthHit& hit, Vec3 direction) const;
 
   const Level& level_;
   const TruthLight& direct_;
-  Vec3 sky_;                   ///< levels at level ground in the open
-  std::vector<Vec3> emitted_;  ///< levels, by TextureId
+  TruthEmission emission_;
+  Vec3 sky_;  ///< levels at level ground in the open
 };
 
 }  // namespace hearth

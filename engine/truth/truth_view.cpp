@@ -39,6 +39,7 @@ TruthView::TruthView(const Level& level, const std::vector<Image>& textures, con
       textures_(textures),
       camera_(camera),
       light_(level, ballPoints),
+      emission_(level),
       sprites_(level, textures, camera) {
   camera_.eye = nudgedInside(level, level[camera.sector], camera.eye);
 }
@@ -95,7 +96,7 @@ Vec3 TruthView::textureColor(const TruthHit& hit) const {
 /// The fractions of a texture's red, green and blue that show.
 Vec3 TruthView::lightOn(const TruthHit& hit) const {
   if (hit.sprite) return lightOnSprite(level_.spriteOf(*hit.sprite));
-  return fractionsOf(light_.at(hit), level_[hit.sector].light);
+  return fractionsOf(light_.at(hit) + emission_.of(hit), level_[hit.sector].light);
 }
 
 /// Its light is one of 8 bits, like a lightmap's texel.

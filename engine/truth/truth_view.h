@@ -5,6 +5,7 @@
 
 #include "image/image.h"
 #include "truth/trace.h"
+#include "truth/truth_emission.h"
 #include "truth/truth_light.h"
 #include "truth/truth_sprites.h"
 
@@ -64,6 +65,7 @@ class TruthView {
   const std::vector<Image>& textures_;
   Shot camera_;  ///< its eye clear of walls and flats
   TruthLight light_;
+  TruthEmission emission_;
   TruthSprites sprites_;
 };
 

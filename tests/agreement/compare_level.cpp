@@ -60,7 +60,7 @@ Channels same(double level) { return {level, level, level}; }
 
 /// With lights and samples as truth can follow them; tests/light holds the sky against truth.
 Level comparable(Level level) {
-  std::erase_if(level.lights, [](const LightSource& light) { return light.isSky; });
+  std::erase_if(level.lights, [](const LightSource& light) { return light.isArea(); });
   for (LightSource& light : level.lights) {
     light.radius = 0;
     if (light.sun) light.sun.emplace(light.sun->angle(), light.sun->pitch(), 0);

@@ -119,7 +119,7 @@ bool hasLightInLineWithWall(const Level& level) {
   return std::ranges::any_of(level.lights, [&](const LightSource& light) {
     return std::ranges::any_of(level.segments, [&](const Segment& wall) {
       const Vec2 along = (1 / wall.length) * (wall.p1 - wall.p0);
-      if (light.isSky) return false;
+      if (light.isArea()) return false;
       if (light.sun) return std::abs(cross(along, light.sun->direction().xy())) < 2e-6;
       return std::abs(cross(along, light.position.xy() - wall.p0)) < 2e-6;
     });

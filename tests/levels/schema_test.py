@@ -137,7 +137,7 @@ class Schemas(unittest.TestCase):
 # Definitions of objects and lists, which have descriptions and examples of their own.
 PARTS = {f"#/$defs/{name}" for name in
          ("version", "player", "shot", "flat", "slope", "texture", "flatTexture", "middle", "on",
-          "lights", "bake")}
+          "lights", "emit", "bake")}
 
 
 def keys_of(value):

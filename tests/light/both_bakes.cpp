@@ -26,9 +26,9 @@ void print(const char* what, const BothCosts& costs) {
              costs.byShafts.rays, costs.byRays.rays);
 }
 
-/// With suns as points, and without a sky, which has no rays.
+/// With suns as points, and without areas, which have no rays.
 LoadedLevel withPoints(LoadedLevel loaded) {
-  std::erase_if(loaded.level.lights, [](const LightSource& light) { return light.isSky; });
+  std::erase_if(loaded.level.lights, [](const LightSource& light) { return light.isArea(); });
   for (LightSource& light : loaded.level.lights)
     if (light.sun) light.sun.emplace(light.sun->angle(), light.sun->pitch(), 0);
   return loaded;

@@ -42,14 +42,18 @@ Rgb pixelOf(PixelBlock& block, const Texture* image, const GroupLight& light) {
 }
 
 /// A pixel of this colour in light that is the same everywhere.
-Rgb shaded(Rgb color, std::uint8_t level, double sectorLight) {
+Rgb shadedIn(Rgb color, std::uint8_t level, Vec3 evenLight) {
   const Lightmap even{.rect = {0, 0, 1, 1}, .levels = {level}};
   Image image(1, 1);
   image.at(0, 0) = color;
   const Texture texture(image);
   PixelBlock block{};
   block.rows = 1;
-  return pixelOf(block, &texture, {&even, sectorLight, false});
+  return pixelOf(block, &texture, {&even, evenLight, false});
+}
+
+Rgb shaded(Rgb color, std::uint8_t level, double evenLight) {
+  return shadedIn(color, level, {evenLight, evenLight, evenLight});
 }
 
 TEST(Repeated, isATrueModulo) {
@@ -343,7 +347,7 @@ std::vector<Rgb> levelsShown(const Lightmap& lightmap) {
       pixelKernels().findLightTexels(block,
                                      inAllColumns({.s = {column + 0.5, 0}, .t = {row + 0.5, 0}}),
                                      lightmap, LightFilter::Bilinear);
-      found.push_back(pixelOf(block, nullptr, {&lightmap, 0, true}));
+      found.push_back(pixelOf(block, nullptr, {&lightmap, {}, true}));
     }
   return found;
 }
@@ -379,9 +383,9 @@ TEST(PixelKernels, mixTheLightOfEachPixelWhateverLightTheRowAboveHas) {
       setFull(block);
       std::vector<std::uint32_t> rows(block.count());
       constexpr GroupTexels kWhite{nullptr, false, false, true};
-      pixelKernels().shade(block, kWhite, {&lightmap, 0, false}, rows.data());
+      pixelKernels().shade(block, kWhite, {&lightmap, {}, false}, rows.data());
       std::vector<std::uint32_t> columnRows(block.count());
-      pixelKernels().shade(block, kWhite, {&lightmap, 0, true}, columnRows.data());
+      pixelKernels().shade(block, kWhite, {&lightmap, {}, true}, columnRows.data());
       EXPECT_EQ(columnRows, rows);
       for (std::size_t k = 0; k < block.count(); ++k) {
         const SpanMapping at = mapping.of(k % PixelBlock::kLanes);
@@ -423,7 +427,7 @@ TEST(PixelKernels, writeNoPixelThatDoesNotShowTheSurface) {
     std::vector<std::uint32_t> rows(block.count(), kUntouched);
     const GroupTexels texels{&texture, false, haveHoles, false};
     fetchColors(block, texels);
-    pixelKernels().shade(block, texels, {nullptr, 1, false}, rows.data());
+    pixelKernels().shade(block, texels, {nullptr, {1, 1, 1}, false}, rows.data());
     for (std::size_t k = 0; k < block.count(); ++k) {
       const int row = block.firstRow + static_cast<int>(k) / PixelBlock::kLanes;
       const std::size_t lane = k % PixelBlock::kLanes;
@@ -432,6 +436,12 @@ TEST(PixelKernels, writeNoPixelThatDoesNotShowTheSurface) {
       ASSERT_EQ(rows[k], isShown ? toXrgb({1, 2, 3}) : kUntouched) << i << ' ' << k;
     }
   }
+}
+
+TEST(Shaded, addsEvenLightToEachChannel) {
+  EXPECT_EQ(shadedIn({200, 100, 255}, 0, {0.5, 0.25, 1}), (Rgb{100, 25, 255}));
+  EXPECT_EQ(shadedIn({200, 100, 255}, 51, {0.5, 0.25, 1}), (Rgb{140, 45, 255}));
+  EXPECT_EQ(shadedIn({200, 100, 60}, 255, {0.5, 0.25, 0}), (Rgb{200, 100, 60}));
 }
 
 TEST(Shaded, isHalfUp) {

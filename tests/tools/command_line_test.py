@@ -1367,10 +1367,11 @@ class Info(InFolder):
     def test_the_tutorial_shows_every_feature_of_the_format_but_those_of_gaol_maze_things_and_movers(self):
         unused = [name for name, count in self.features_of("tutorial.json").items()
                   if count == 0 and not re.search("sprite|mesh|grid|mover", name)]
-        self.assertEqual(unused, ["middle texture", "light with a spot", "sun", "light of the sky"])
+        self.assertEqual(unused, ["middle texture", "light with a spot", "sun", "light of the sky", "emitter"])
         self.assertGreater(self.features_of("gaol.json")["middle texture"], 0)
         self.assertGreater(self.features_of("gaol.json")["sun"], 0)
         self.assertGreater(self.features_of("gaol.json")["light of the sky"], 0)
+        self.assertGreater(self.features_of("gaol.json")["emitter"], 0)
         self.assertGreater(self.features_of("maze.json")["grid"], 0)
         self.assertGreater(self.features_of("maze.json")["light with a spot"], 0)
 

@@ -265,7 +265,7 @@ class PlanDrawing {
 
   void drawLights() {
     for (const LightSource& light : scene_.level().lights) {
-      if (light.isSky) continue;
+      if (light.isArea()) continue;
       if (light.sun) {
         drawSun(light);
         continue;

@@ -52,6 +52,7 @@ inline constexpr std::array kLoaderKinds{
     LoaderKindRow{"uneven-portal", "the two sides of a portal open different heights"},
     LoaderKindRow{"far-away", "a coordinate is too far from the origin for exact light"},
     LoaderKindRow{"light-in-plane", "a light lies on a surface, which it does not light"},
+    LoaderKindRow{"unworn-emitter", "no surface wears the texture of an emitter"},
     LoaderKindRow{"no-light", "nothing is said of light, and all is fully bright"},
     LoaderKindRow{"model-skips", "something in a model or its materials is left out"},
     LoaderKindRow{"mover-zones", "zones of a mover that they do not start"},

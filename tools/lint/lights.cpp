@@ -4,9 +4,13 @@
 #include <cmath>
 #include <cstdint>
 #include <map>
-#include <numeric>
+#include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
+#include "level/shining_textures.h"
+#include "light/gather/area_visibility.h"
 #include "light/rays/raytracer.h"
 #include "lint/authored_wall.h"
 
@@ -105,24 +109,28 @@ Vec3 brightestOf(const LitSurface& surface, const Lightmap& map) {
 
 bool sees(const Scene& scene, const Raytracer& raytracer, const LightSource& light, Vec3 p,
           SectorId sector) {
-  constexpr Vec3 kUp{0, 0, 1};
-  if (!light.hasPlace())
-    return raytracer.seesSky({p, sector}, light.sun ? light.sun->direction() : kUp);
+  if (light.sun) return raytracer.seesSky({p, sector}, light.sun->direction());
   return raytracer.sees(Raytracer::sourceOf(scene, light), p, sector);
 }
 
 /// The light that brings most to a point of a surface, of those that it sees. Balls of light, and
-/// suns with a size, are taken for points, and the sky for what is overhead.
-std::size_t mostAt(const Scene& scene, Vec3 p, SectorId sector) {
+/// suns with a size, are taken for points.
+std::size_t mostAt(const Scene& scene, Vec3 p, Vec3 normal, SectorId sector) {
   const Raytracer raytracer(scene);
+  AreaVisibility areas(scene, false);
+  std::vector<double> fractions(areas.lights().size());
+  std::int64_t slices = 0;
+  areas.findOnSurface(p, sector, normal, fractions, slices);
   std::size_t best = 0;
   std::pair most(false, 0.0);
   const std::vector<LightSource>& lights = scene.level().lights;
   for (std::size_t i = 0; i < lights.size(); ++i) {
     const LightSource& light = lights[i];
-    const double brought = light.brightnessAt(p);
+    const double fraction = light.isArea() ? fractions[areas.placeOf(i)] : 1;
+    const double brought = fraction * light.brightnessAt(p);
     if (most.first && brought <= most.second) continue;
-    const std::pair here(sees(scene, raytracer, light, p, sector), brought);
+    const bool isSeen = light.isArea() ? fraction > 0 : sees(scene, raytracer, light, p, sector);
+    const std::pair here(isSeen, brought);
     if (here > most) best = i, most = here;
   }
   return best;
@@ -139,6 +147,7 @@ std::string nameOf(const Level& level, const Surface& surface) {
 }
 
 std::string nameOf(const Level& level, const LightSource& light) {
+  if (light.isEmitter()) return fmt::format("the light of \"{}\"", light.texture);
   if (light.isSky) return "the sky";
   return light.sun ? "the sun"
                    : fmt::format("the light in sector \"{}\"", level[light.sector].name);
@@ -147,7 +156,11 @@ std::string nameOf(const Level& level, const LightSource& light) {
 class BlackFinder {
  public:
   BlackFinder(const LintedLevel& linted, const BakedLight& light, Findings& findings)
-      : linted_(linted), level_(linted.level()), light_(light), findings_(findings) {}
+      : linted_(linted),
+        level_(linted.level()),
+        light_(light),
+        areas_(linted.level()),
+        findings_(findings) {}
 
   void look() {
     const std::vector<Counts> sectors = countSectors();
@@ -180,7 +193,12 @@ class BlackFinder {
   }
 
   bool isBlack(std::size_t surface) const {
-    return level_[level_.surfaces[surface].sector].light == 0 && isDark(light_, surface);
+    const Surface& of = level_.surfaces[surface];
+    return level_[of.sector].light == 0 && isDark(light_, surface) && !shines(of);
+  }
+
+  bool shines(const Surface& surface) const {
+    return canShine(surface.kind) && areas_.ofTexture(surface.mapping.texture);
   }
 
   void reportSector(std::size_t sector) {
@@ -200,6 +218,7 @@ class BlackFinder {
   const LintedLevel& linted_;
   const Level& level_;
   const BakedLight& light_;
+  AreaLights areas_;
   Findings& findings_;
 };
 
@@ -231,7 +250,7 @@ class OverexposedFinder {
     const Lightmap& map = *dimmed_.lightmaps[surface];
     const double fraction = lostFraction(lit, map, 255 * level_[sector].light);
     if (fraction <= kMaxLost) return;
-    Glare& glare = glaring_[mostAt(linted_.scene(), brightestOf(lit, map), sector)];
+    Glare& glare = glaring_[mostAt(linted_.scene(), brightestOf(lit, map), lit.normal, sector)];
     ++glare.surfaces;
     if (fraction <= glare.fraction) return;
     glare.worst = surface;
@@ -267,17 +286,26 @@ Level dimmed(Level level) {
 }
 
 std::string_view remedyOfUseless(const LightSource& light) {
+  if (light.isEmitter())
+    return "raise its intensity, give its texture to a surface that others see, or remove it";
   if (light.isSky) return "raise its intensity, open a way to some sky, or remove it";
   return light.sun ? "turn it to where some sky is seen, or remove it"
                    : "raise its intensity, move it or remove it";
+}
+
+/// Then the loader says so.
+bool isUnworn(const Level& level, const LightSource& light) {
+  const std::vector<std::string_view> names = texturesThatCanShine(level);
+  return light.isEmitter() && std::ranges::find(names, light.texture) == names.end();
 }
 
 /// Bakes by itself, since light from a cache does not say which lamps it came from.
 void findUselessLights(const LintedLevel& linted, const BakeSettings& settings, int threads,
                        Findings& findings) {
   const Level& level = linted.level();
-  std::vector<std::size_t> all(level.lights.size());
-  std::iota(all.begin(), all.end(), std::size_t{0});
+  std::vector<std::size_t> all;
+  for (std::size_t i = 0; i < level.lights.size(); ++i)
+    if (!isUnworn(level, level.lights[i])) all.push_back(i);
   BakeSettings strong = settings;
   strong.cutOff = std::max(settings.cutOff, kWeak);
   const std::vector<std::size_t> dim = dimOf(linted.scene(), all, strong, threads);

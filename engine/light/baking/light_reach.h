@@ -29,6 +29,7 @@ class LightReach {
   /// Whether the light reaches a point of a box, or misses it by no more than authors' files are
   /// inexact. A spot may reach none even then, but all that it lights is reached.
   bool reaches(std::size_t light, const Box3& box) const {
+    if (metres_[light] == 0) return false;
     // As squares: this is asked of many lights for each tile.
     const double most = metres_[light] + kAuthorNoise;
     const Vec3 toBox = box.vectorFrom(positions_[light]);

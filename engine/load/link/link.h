@@ -120,6 +120,8 @@ void validateRings(Linking& linking);
 void validateReach(Linking& linking);
 /// A light that lies on a surface of its sector: a warning. After `deriveGeometry`.
 void validateLight(Report& report, const Scene& scene, Place place, const LightSource& light);
+/// An emitter whose texture no surface of the level wears that can shine: a warning.
+void validateEmitter(Report& report, const Level& level, Place place, std::string_view texture);
 /// Reports surfaces that show without a texture, each at its cause.
 void reportMissingTextures(const Linking& linking, std::span<const MissingTexture> missing,
                            Report& report);

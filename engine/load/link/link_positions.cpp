@@ -40,6 +40,10 @@ class PositionLinker {
     for (const LightDescription& light : lights.lights) linkLight(light);
     for (const LightDescription& sun : lights.suns) linking_.level.lights.push_back(sun.source);
     if (lights.sky) linking_.level.lights.push_back(lights.sky->source);
+    for (const LightDescription& emitter : lights.emitters) {
+      linking_.level.lights.push_back(emitter.source);
+      validateEmitter(linking_.report, linking_.level, emitter.place, emitter.source.texture);
+    }
     linking_.level.bake = lights.bake;
   }
 
@@ -79,7 +83,8 @@ void linkLights(Linking& linking, const LightsDescription& lights) {
 
 bool saysNothingOfLight(const LevelDescription& description, const LightsDescription& lights) {
   const bool isSkyDark = !lights.sky || lights.sky->source.intensity == 0;
-  if (!lights.lights.empty() || !lights.suns.empty() || !isSkyDark || description.light)
+  if (!lights.lights.empty() || !lights.suns.empty() || !isSkyDark || !lights.emitters.empty() ||
+      description.light)
     return false;
   for (const SectorDescription& sector : description.sectors)
     if (sector.light) return false;

@@ -244,7 +244,7 @@ struct MeshDescription : ThingDescription {
   Mesh mesh;                             ///< all else
 };
 
-/// Of a light with a place, of a sun, or of the sky.
+/// Of a light with a place, of a sun, of the sky, or of an emitter.
 struct LightDescription {
   Place place;
   std::optional<NameReference> sector;
@@ -271,14 +271,19 @@ struct LightsDescription {
   std::vector<LightDescription> lights;
   std::vector<LightDescription> suns;
   std::optional<LightDescription> sky;
+  std::vector<LightDescription> emitters;
   BakeSettings bake;
 
-  /// Of all, in the order of the level's lights: what has no place comes last, the suns before the
-  /// sky.
-  std::size_t count() const { return lights.size() + suns.size() + (sky ? 1 : 0); }
+  // Of all, in the order of the level's lights: those with a place, the suns, the sky, the
+  // emitters.
+  std::size_t firstSun() const { return lights.size(); }
+  std::size_t firstSky() const { return firstSun() + suns.size(); }
+  std::size_t firstEmitter() const { return firstSky() + (sky ? 1 : 0); }
+  std::size_t count() const { return firstEmitter() + emitters.size(); }
   const LightDescription& at(std::size_t light) const {
-    if (light < lights.size()) return lights[light];
-    return light < lights.size() + suns.size() ? suns[light - lights.size()] : *sky;
+    if (light < firstSun()) return lights[light];
+    if (light < firstSky()) return suns[light - firstSun()];
+    return light < firstEmitter() ? *sky : emitters[light - firstEmitter()];
   }
 };
 

@@ -16,7 +16,9 @@ constexpr std::array<std::string_view, 10> kLightKeys{
 constexpr std::array<std::string_view, 4> kSpotKeys{"angle", "pitch", "inner", "outer"};
 constexpr std::array<std::string_view, 5> kSunKeys{"angle", "pitch", "intensity", "color", "size"};
 constexpr std::array<std::string_view, 2> kSkyKeys{"intensity", "color"};
-constexpr std::array<std::string_view, 5> kFileKeys{"version", "lights", "suns", "sky", "bake"};
+constexpr std::array<std::string_view, 2> kEmitterKeys{"intensity", "color"};
+constexpr std::array<std::string_view, 6> kFileKeys{"version", "lights", "suns",
+                                                    "sky",     "emit",   "bake"};
 constexpr std::array<std::string_view, 4> kBakeKeys{"texel", "samples", "lambert", "bounces"};
 
 constexpr std::string_view kAutoSamples = "auto";
@@ -144,6 +146,20 @@ std::optional<LightDescription> readSky(Report& report, JsonValue value) {
   return light;
 }
 
+std::optional<LightDescription> readEmitter(Report& report, const JsonValue::Member& member) {
+  const Fields fields(report, member.value, kEmitterKeys);
+  LightDescription light;
+  light.place = member.value.place();
+  light.source.texture = member.key.text();
+  if (light.source.texture.empty())
+    report.error(member.key.place(), "an emitter without a name",
+                 "name the texture of the surfaces that shine");
+  if (!fields.isObject() || light.source.texture.empty()) return std::nullopt;
+  fields.read("intensity", kLevels, light.source.intensity);
+  readColor(report, fields, light.source);
+  return light;
+}
+
 bool isSquare(int number) {
   const int root = static_cast<int>(std::lround(std::sqrt(number)));
   return root * root == number;
@@ -176,7 +192,7 @@ BakeSettings readBake(Report& report, JsonValue value) {
   return bake;
 }
 
-/// Suns count as lights.
+/// Suns and emitters count as lights.
 void checkCount(Report& report, JsonValue list, std::size_t count, const LoadLimits& limits) {
   if (count > limits.lights)
     report.error(list.place(), fmt::format("{} lights are more than {}", count, limits.lights),
@@ -200,6 +216,17 @@ void readSuns(Report& report, JsonValue value, const LoadLimits& limits,
   if (count > limits.lights) return;
   for (const JsonValue element : value.elements())
     if (auto sun = readSun(report, element)) lights.suns.push_back(*std::move(sun));
+}
+
+void readEmitters(Report& report, JsonValue value, const LoadLimits& limits,
+                  LightsDescription& lights) {
+  if (!value.isObject()) return reportWrongType(report, value, "an object of emitters by texture");
+  const std::vector<JsonValue::Member> members = value.members();
+  const std::size_t count = lights.count() + members.size();
+  checkCount(report, value, count, limits);
+  if (count > limits.lights) return;
+  for (const JsonValue::Member& member : members)
+    if (auto emitter = readEmitter(report, member)) lights.emitters.push_back(*std::move(emitter));
 }
 
 bool isLevel(JsonValue root) {
@@ -228,6 +255,7 @@ LightsDescription readLights(Report& report, JsonValue root, const LoadLimits& l
     readLightList(report, *list, limits, lights);
   if (const auto suns = fields.find("suns")) readSuns(report, *suns, limits, lights);
   if (const auto sky = fields.find("sky")) lights.sky = readSky(report, *sky);
+  if (const auto emit = fields.find("emit")) readEmitters(report, *emit, limits, lights);
   if (const auto bake = fields.find("bake")) lights.bake = readBake(report, *bake);
   return lights;
 }

@@ -3,8 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
+#include <vector>
 
+#include "level/shining_textures.h"
 #include "load/link/link.h"
+#include "load/suggest.h"
 #include "math/predicates.h"
 #include "math/tolerance.h"
 
@@ -58,6 +62,17 @@ void validateLight(Report& report, const Scene& scene, Place place, const LightS
                  fmt::format("the light lies in {} of sector \"{}\", and does not light it",
                              fmt::join(planes, " and in "), sector.name),
                  "move it off that plane", "light-in-plane");
+}
+
+void validateEmitter(Report& report, const Level& level, Place place, std::string_view texture) {
+  const std::vector<std::string_view> shining = texturesThatCanShine(level);
+  if (std::ranges::find(shining, texture) != shining.end()) return;
+  const bool isWorn = std::ranges::find(level.textures, texture) != level.textures.end();
+  report.warning(place, fmt::format("no surface that can shine wears \"{}\"", texture),
+                 isWorn ? "name the texture of a wall, a flat or a mesh: skies, sprites and middle "
+                          "textures do not shine"
+                        : suggest(texture, shining, "name the texture of a wall, a flat or a mesh"),
+                 "unworn-emitter");
 }
 
 }  // namespace hearth

@@ -224,6 +224,36 @@ TEST(LightsEditTest, AddsTheSkyWhereThereIsNone) {
   EXPECT_EQ(lights.bytes(), "[]");
 }
 
+LightDescription emitterOf(const std::string& texture) {
+  LightDescription emitter;
+  emitter.source.texture = texture;
+  emitter.source.intensity = 150;
+  return emitter;
+}
+
+TEST(LightsEditTest, ChangesAndRemovesEmittersByTheirTextures) {
+  const std::string text =
+      R"({"lights":[],"sky":{},"emit":{"lava":{"intensity":50},"// glow":"","lamp":{}}})";
+  EXPECT_EQ(afterChange(text, 1, [](LightDescription& lava) { lava.source.intensity = 75; }),
+            R"({"lights":[],"sky":{},"emit":{"lava":{"intensity":75},"// glow":"","lamp":{}}})");
+  EXPECT_EQ(afterChange(text, 2, [](LightDescription& lamp) { lamp.source.color[2] = 0; }),
+            R"({"lights":[],"sky":{},"emit":{"lava":{"intensity":50},"// glow":"",)"
+            R"("lamp":{"color": "#ffff00"}}})");
+  EXPECT_EQ(afterRemove(text, 1), R"({"lights":[],"sky":{},"emit":{"// glow":"","lamp":{}}})");
+}
+
+TEST(LightsEditTest, AddsEmittersBehindTheOthers) {
+  EXPECT_EQ(afterAdd(R"({"lights": [], "bake": {}})", emitterOf("lava")),
+            R"({"lights": [], "emit": { "lava": { "intensity": 150 } }, "bake": {}})");
+  EXPECT_EQ(afterAdd(R"({"lights":[],"emit":{"lamp":{}}})", emitterOf("say \"ah\"")),
+            R"({"lights":[],"emit":{"lamp":{}, "say \"ah\"":{ "intensity": 150 }}})");
+  EXPECT_EQ(afterAdd(R"({"lights":[],"emit":{}})", emitterOf("lava")),
+            R"({"lights":[],"emit":{"lava": { "intensity": 150 }}})");
+  LightsEdit lights = opened(R"({"lights":[],"emit":{"lava":{}}})");
+  EXPECT_EQ(lights.add(emitterOf("lava")), "\"lava\" shines already");
+  EXPECT_FALSE(lights.canUndo());
+}
+
 TEST(LightsEditTest, RefusesASunInAnArrayOfLights) {
   LightsEdit lights = opened("[]");
   EXPECT_EQ(lights.add(sunAt(0, 90)),
@@ -369,8 +399,13 @@ TEST(LightsEditTest, PutsACurveInPlaceOfIntensityAndFalloff) {
 }
 
 TEST(LightName, HasTheNumberAndTheComment) {
-  EXPECT_EQ(lightName(3, "lamp posts"), "3 lamp posts");
-  EXPECT_EQ(lightName(3, ""), "light 3");
+  LightSource light;
+  EXPECT_EQ(lightName(3, light, "lamp posts"), "3 lamp posts");
+  EXPECT_EQ(lightName(3, light, ""), "light 3");
+  light.sun.emplace(0, 45, 0);
+  EXPECT_EQ(lightName(4, light, ""), "sun 4");
+  EXPECT_EQ(lightName(5, skyOf(100).source, ""), "sky");
+  EXPECT_EQ(lightName(6, emitterOf("lava").source, ""), "emitter lava");
 }
 
 TEST(LightsEditTest, RoundsToMillimetres) {

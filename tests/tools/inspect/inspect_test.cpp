@@ -172,6 +172,25 @@ TEST(Inspect, tellsHowMuchOfTheSkyArrives) {
             "not seen: no straight way leads from here to the sky");
 }
 
+TEST(Inspect, tellsHowMuchOfAnEmitterArrives) {
+  const LoadedLevel hall = test::levelFrom(
+      "{'light':0,'sectors':{'hall':{'floor':{'texture':'#808080'},"
+      "'ceiling':{'z':3,'texture':'#ffffff'},'loops':{'border':{'v':[0,0, 8,0, 8,6, 0,6],"
+      "'walls':" +
+          kSolid + "}}}}}",
+      "{'lights':[],'emit':{'#ffffff':{'intensity':200},'#00ff00':{}}}");
+  const TruthHit lit = lookedAt(hall.level, "hall", {4, 3, 1}, {0, 0, -1});
+  const Inspection found = inspected(hall.scene(), lit);
+  EXPECT_NEAR(found.sum.x, found.lightmap->shown.x, 1.5);
+  EXPECT_EQ(reasonWords(hall.level, found.place, found.lights.at(0)),
+            "62 % of what a place gets that sees nothing else");
+  EXPECT_EQ(reasonWords(hall.level, found.place, found.lights.at(1)),
+            "not seen: no straight way leads from here to \"#00ff00\"");
+  const TruthHit shining = lookedAt(hall.level, "hall", {4, 3, 1}, {0, 0, 1});
+  EXPECT_EQ(brightnessWords(hall.level, inspected(hall.scene(), shining)),
+            "lit, 200 of 255: no light gives it anything; its texture shines with 200");
+}
+
 TEST(Inspect, namesWhatHidesASun) {
   const LoadedLevel loaded = underHalfASky("{'angle':0,'pitch':60,'intensity':200}");
   EXPECT_EQ(
@@ -277,10 +296,10 @@ void forPixelsOfShots(const Scene& scene, Check&& check) {
   }
 }
 
-/// Without the sky, whose light is defined by an integral.
+/// Without areas, whose light is defined by an integral.
 void expectAsDefined(const std::string& path) {
   LoadedLevel place = loaded(path);
-  std::erase_if(place.level.lights, [](const LightSource& light) { return light.isSky; });
+  std::erase_if(place.level.lights, [](const LightSource& light) { return light.isArea(); });
   const Level& level = place.level;
   const Scene scene = place.scene();
   const TruthLight truth(level, kInspectedBallPoints);

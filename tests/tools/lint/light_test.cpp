@@ -66,6 +66,20 @@ TEST(UselessLights, AreSunsThatNoSkyLetsIn) {
             (Places{"2:10 /suns/0 [useless-light]"}));
 }
 
+/// All of one colour: each surface is lit by the others, and black by no means.
+TEST(BlackSurfaces, AreNotThoseThatShine) {
+  EXPECT_EQ(placesInLight(kRooms, "{ 'lights': [], 'emit': { '#808080': { 'intensity': 60 } } }"),
+            Places{});
+}
+
+/// Of a texture that nothing wears the loader warns.
+TEST(UselessLights, AreEmittersThatGiveNoLight) {
+  const std::string lit = with(kRooms, "'light': 0,", "'light': 0.1,");
+  EXPECT_EQ(placesInLight(
+                lit, "{ 'lights': [], 'emit': {\n'#808080': { 'intensity': 0 },\n'lava': {} } }"),
+            (Places{"2:12 /emit/#808080 [useless-light]"}));
+}
+
 TEST(UselessLights, IsASkyThatNoRoomIsOpenTo) {
   const std::string lit = with(kRooms, "'light': 0,", "'light': 0.1,");
   EXPECT_EQ(placesInLight(lit, "{ 'lights': [],\n'sky': { 'intensity': 100 } }"),

@@ -23,9 +23,10 @@ namespace hearth {
 namespace {
 
 // Pixels of the panel: below the section's header, and where lights have their names, a place its
-// values, and the row of buttons `add a light here`.
+// values, and the row of buttons `add a light here`; and where this has `let it shine`.
 constexpr int kFirstRow = 35;
 constexpr int kColumn = 95;
+constexpr int kColumnOfShine = 170;
 
 /// The panel with this section alone, over a picture of the rooms.
 class InspectorTest : public testing::Test {
@@ -75,10 +76,11 @@ class InspectorTest : public testing::Test {
   }
   /// Clicks into the panel here and there, from the top down, until something has come of it.
   template <typename IsDone>
-  void clickThroughPanel(IsDone&& isDone, MouseButton button = MouseButton::Left) {
+  void clickThroughPanel(IsDone&& isDone, MouseButton button = MouseButton::Left,
+                         int column = kColumn) {
     for (int y = kFirstRow; y < 500; y += 5) {
       if (isDone()) return;
-      clickAt(overlay_.widthBeside(camera_.width) + kColumn, y, button);
+      clickAt(overlay_.widthBeside(camera_.width) + column, y, button);
     }
   }
 
@@ -258,6 +260,14 @@ TEST_F(InspectorTest, AddsALightAMetreBeforeThePlaceThatIsPinned) {
   EXPECT_LT(length(added.source.position - (place.point + place.normal)), 0.001);
   EXPECT_EQ(tool_.editor().picked(), before);
   EXPECT_EQ(tool_.editor().commentOf(before), "in " + place_.level[place.sector].name);
+}
+
+TEST_F(InspectorTest, AsksForTheTextureToShineOfThePlaceThatIsPinned) {
+  clickAt(300, 400);
+  const auto isAsked = [&] { return !tool_.editor().message().empty(); };
+  clickThroughPanel(isAsked, MouseButton::Left, kColumnOfShine);
+  EXPECT_EQ(tool_.editor().message(),
+            "the file is an array of lights: write { \"lights\": [...] } to give it emitters");
 }
 
 TEST_F(InspectorTest, AddsNoLightWhereTheyCannotBeEdited) {

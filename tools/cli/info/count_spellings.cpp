@@ -67,6 +67,8 @@ class SpellingCounter {
     if (file.is_object() && file.contains("suns"))
       forEachChild(file["suns"], [&](const json&) { counts_.add(FormatFeature::Sun); });
     addIf(file.is_object() && file.contains("sky"), FormatFeature::LightOfSky);
+    if (file.is_object() && file.contains("emit"))
+      forEachChild(file["emit"], [&](const json&) { counts_.add(FormatFeature::Emitter); });
   }
 
  private:

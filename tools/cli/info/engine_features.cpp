@@ -82,6 +82,8 @@ std::vector<EngineFeatureUse> engineFeatureUses(const LoadedLevel& loaded,
        "have a place: no ray is followed to the sky"},
       {"light of the sky", light.skies.lights, std::ssize(level.lights),
        "come from one direction: nothing is gathered"},
+      {"lights that are surfaces", light.emitters.lights, std::ssize(level.lights),
+       "are no surfaces: no texture is asked whether it shines"},
   };
 }
 

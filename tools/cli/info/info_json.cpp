@@ -53,6 +53,7 @@ nlohmann::ordered_json lightToJson(const BakeSettings& settings, const LightRepo
   object["balls"] = toJson(report.spheres);
   object["suns"] = toJson(report.suns);
   object["skies"] = toJson(report.skies);
+  object["emitters"] = toJson(report.emitters);
   object["coloredLights"] = report.coloredLights;
   object["uselessLights"] = report.uselessLights;
   return object;

@@ -78,6 +78,7 @@ void printLight(const Contents& contents) {
   printLights("spherical lights", light.spheres);
   printLights("suns", light.suns);
   printLights("skies", light.skies);
+  printLights("emitters", light.emitters);
   printLine("lights that reach nothing", light.uselessLights);
 }
 

@@ -41,7 +41,8 @@ void addLights(const Level& level, const BakedLight& baked, LightReport& report)
   for (std::size_t i = 0; i < level.lights.size(); ++i) {
     const LightSource& light = level.lights[i];
     const LightCost& cost = baked.lightCosts[i];
-    LightKindReport& kind = light.isSky        ? report.skies
+    LightKindReport& kind = light.isEmitter()  ? report.emitters
+                            : light.isSky      ? report.skies
                             : light.sun        ? report.suns
                             : light.radius > 0 ? report.spheres
                                                : report.points;

@@ -44,7 +44,8 @@ struct LightReport {
   LightKindReport points;
   LightKindReport spheres;
   LightKindReport suns;
-  LightKindReport skies;  ///< one, or none; its rays are slices
+  LightKindReport skies;     ///< one, or none; its rays are slices
+  LightKindReport emitters;  ///< likewise
   std::int64_t coloredLights = 0;
   std::int64_t uselessLights = 0;  ///< that give no light, or that nothing sees
 };

@@ -62,8 +62,8 @@ struct Member {
   std::optional<std::string> value;  ///< spelled; none: the light has no such key
 };
 
-/// What differs of two skies, key by key.
-std::vector<Member> changesOfSky(const LightSource& from, const LightSource& to) {
+/// What differs of two areas, key by key.
+std::vector<Member> changesOfArea(const LightSource& from, const LightSource& to) {
   std::vector<Member> members;
   if (from.intensity != to.intensity) members.push_back({"intensity", spelled(to.intensity)});
   if (!std::ranges::equal(from.color, to.color)) members.push_back({"color", spelled(to.color)});
@@ -86,7 +86,7 @@ std::vector<Member> changesOfSun(const LightSource& from, const LightSource& to)
 
 /// What differs, key by key.
 std::vector<Member> changes(const LightDescription& from, const LightDescription& to) {
-  if (from.source.isSky) return changesOfSky(from.source, to.source);
+  if (from.source.isArea()) return changesOfArea(from.source, to.source);
   if (from.source.sun) return changesOfSun(from.source, to.source);
   std::vector<Member> members;
   const auto add = [&members](std::string_view key, const auto& before, const auto& after) {
@@ -148,8 +148,8 @@ Replacement withSpotNumber(std::string_view json, std::size_t light, std::string
                     {kSpotKeys.begin(), kSpotKeys.end()});
 }
 
-/// Where the array under a key begins, if there is one.
-std::optional<std::size_t> listIn(const Document& document, std::string_view key) {
+/// Where the value under a key begins, if there is one.
+std::optional<std::size_t> valueIn(const Document& document, std::string_view key) {
   const JsonValue root(document, 0, 0);
   if (root.isArray()) return key == "lights" ? std::optional(root.place().offset) : std::nullopt;
   const std::vector<JsonValue::Member> members = root.members();
@@ -161,12 +161,17 @@ std::optional<std::size_t> listIn(const Document& document, std::string_view key
 
 /// What is written of an added light in any case.
 std::vector<SpelledMember> placeOf(const LightSource& light) {
-  if (light.isSky) return {};
+  if (light.isArea()) return {};
   if (light.sun)
     return {{"angle", spelled(light.sun->angle())}, {"pitch", spelled(light.sun->pitch())}};
   return {{"x", spelled(light.position.x)},
           {"y", spelled(light.position.y)},
           {"z", spelled(light.position.z)}};
+}
+
+std::string_view kindWords(const LightSource& light) {
+  if (light.isEmitter()) return "emitters";
+  return light.isSky ? "a sky" : "suns";
 }
 
 std::string objectOf(const std::vector<SpelledMember>& members) {
@@ -182,6 +187,7 @@ LightDescription plainAt(const LightSource& light) {
   plain.source.position = light.position;
   if (light.sun) plain.source.sun.emplace(light.sun->angle(), light.sun->pitch(), 0);
   plain.source.isSky = light.isSky;
+  plain.source.texture = light.texture;
   if (light.isSky) plain.source.intensity = 0;
   return plain;
 }
@@ -215,8 +221,9 @@ std::optional<std::string> LightsEdit::read() {
     lights = readLights(report, JsonValue(documents[0], 0, 0), limits_);
   if (report.hasErrors()) return format(report.resolve(documents).front());
   lights_ = std::move(lights);
-  list_ = *listIn(documents[0], "lights");
-  suns_ = listIn(documents[0], "suns");
+  list_ = *valueIn(documents[0], "lights");
+  suns_ = valueIn(documents[0], "suns");
+  emit_ = valueIn(documents[0], "emit");
   return std::nullopt;
 }
 
@@ -273,7 +280,12 @@ std::optional<std::string> LightsEdit::add(const LightDescription& light,
   if (!light.source.hasPlace() && history_.text()[rootOf(history_.text())] == '[')
     return fmt::format(
         "the file is an array of lights: write {{ \"lights\": [...] }} to give it {}",
-        isSun ? "suns" : "a sky");
+        kindWords(light.source));
+  const std::string& texture = light.source.texture;
+  if (std::ranges::any_of(lights_.emitters, [&](const LightDescription& emitter) {
+        return light.source.isEmitter() && emitter.source.texture == texture;
+      }))
+    return fmt::format("\"{}\" shines already", texture);
   return edit([&] {
     std::vector<SpelledMember> members;
     if (!comment.empty()) members.push_back({"//", spelled(comment)});
@@ -281,6 +293,7 @@ std::optional<std::string> LightsEdit::add(const LightDescription& light,
     for (const Member& member : changes(plainAt(light.source), light))
       if (member.value) members.push_back({std::string(member.key), *member.value});
     if (light.source.isSky) return addMember("sky", objectOf(members));
+    if (light.source.isEmitter()) return addEmitter(texture, objectOf(members));
     if (isSun && !suns_) addMember("suns", "[]");
     history_.replace(withObject(history_.text(), isSun ? *suns_ : list_, members));
   });
@@ -294,19 +307,31 @@ void LightsEdit::addMember(std::string_view key, std::string_view value) {
       members.size() == 1
           ? Replacement{members[0].value.end, "", fmt::format(R"(, "{}": {})", key, value)}
           : withMember(text, rootOf(text), {std::string(key), std::string(value)},
-                       {"version", "lights", "suns"}));
+                       {"version", "lights", "suns", "sky"}));
   read();
+}
+
+void LightsEdit::addEmitter(const std::string& texture, const std::string& value) {
+  const std::string quoted = spelled(texture);
+  const SpelledMember member{quoted.substr(1, quoted.size() - 2), value};
+  if (!emit_) return addMember("emit", objectOf({member}));
+  std::vector<std::string_view> others;
+  for (const LightDescription& emitter : lights_.emitters) others.push_back(emitter.source.texture);
+  history_.replace(withMember(history_.text(), *emit_, member, others));
 }
 
 std::optional<std::string> LightsEdit::remove(std::size_t light) {
   return edit([&] {
     const std::string_view text = history_.text();
-    const std::size_t lights = lights_.lights.size();
-    if (lights_.at(light).source.isSky)
+    const LightSource& source = lights_.at(light).source;
+    if (source.isEmitter())
+      history_.replace(withoutMember(text, *emit_, source.texture));
+    else if (source.isSky)
       history_.replace(withoutMember(text, rootOf(text), "sky"));
+    else if (source.sun)
+      history_.replace(withoutElement(text, *suns_, light - lights_.firstSun()));
     else
-      history_.replace(light < lights ? withoutElement(text, list_, light)
-                                      : withoutElement(text, *suns_, light - lights));
+      history_.replace(withoutElement(text, list_, light));
   });
 }
 
@@ -328,8 +353,10 @@ std::string commentAt(std::string_view json, std::size_t object) {
   return comment ? nlohmann::json::parse(members[*comment].value.of(json)) : "";
 }
 
-std::string lightName(std::size_t light, const std::string& comment) {
-  return comment.empty() ? fmt::format("light {}", light) : fmt::format("{} {}", light, comment);
+std::string lightName(std::size_t light, const LightSource& source, const std::string& comment) {
+  if (!comment.empty()) return fmt::format("{} {}", light, comment);
+  if (source.isEmitter()) return fmt::format("emitter {}", source.texture);
+  return source.isSky ? "sky" : fmt::format("{} {}", source.sun ? "sun" : "light", light);
 }
 
 }  // namespace hearth

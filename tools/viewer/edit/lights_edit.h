@@ -13,10 +13,9 @@
 
 namespace hearth {
 
-/// The text of a lights file while it is edited. Its lights are counted in the order of the file,
-/// suns before the sky, which comes last. Edits keep the order, spelling and blanks of all other
-/// text. The text always loads, apart from the places of lights: only a level knows where there is
-/// air.
+/// The text of a lights file while it is edited. Its lights are counted as LightsDescription does.
+/// Edits keep the order, spelling and blanks of all other text. The text always loads, apart from
+/// the places of lights: only a level knows where there is air.
 class LightsEdit {
  public:
   /// Of a file's bytes; `file` is how messages name it. The error is the first mistake in them.
@@ -36,8 +35,8 @@ class LightsEdit {
   std::optional<std::string> set(std::size_t light, const LightDescription& to);
   /// Sets the comment that `commentOf` returns; an empty one is removed.
   std::optional<std::string> setComment(std::size_t light, const std::string& comment);
-  /// Adds a light, or a sun, at the end of its list: its comment, if any, its position or
-  /// direction, and all that differs from the defaults.
+  /// Adds a light, a sun or an emitter at the end of those of its kind, or the sky: its comment, if
+  /// any, its position or direction, and all that differs from the defaults.
   std::optional<std::string> add(const LightDescription& light, const std::string& comment = "");
   std::optional<std::string> remove(std::size_t light);
 
@@ -65,6 +64,7 @@ class LightsEdit {
   void changeSpot(std::size_t light, const Spot& from, const Spot& to);
   std::size_t offsetOf(std::size_t light) const { return lights_.at(light).place.offset; }
   void addMember(std::string_view key, std::string_view value);
+  void addEmitter(const std::string& texture, const std::string& value);
 
   std::string file_;
   LoadLimits limits_;
@@ -73,6 +73,7 @@ class LightsEdit {
   LightsDescription lights_;         ///< as the text has them
   std::size_t list_ = 0;             ///< where the array of lights begins
   std::optional<std::size_t> suns_;  ///< where that of suns begins, if there is one
+  std::optional<std::size_t> emit_;  ///< where the object of emitters begins, if there is one
 };
 
 /// A coordinate as a drag gives it, in whole millimetres.
@@ -81,7 +82,8 @@ double toMillimetres(double metres);
 /// The first comment of the object of a JSON text that begins at `object`; empty without one.
 std::string commentAt(std::string_view json, std::size_t object);
 
-/// What a light is called: `3 lamp posts`, its number in its file and its comment, or `light 3`.
-std::string lightName(std::size_t light, const std::string& comment);
+/// What a light is called: `3 lamp posts`, its number in its file and its comment. Without one
+/// `light 3`, `sun 4`, `sky` or `emitter lava`.
+std::string lightName(std::size_t light, const LightSource& source, const std::string& comment);
 
 }  // namespace hearth

@@ -57,11 +57,12 @@ void LightsEditor::setComment(const std::string& comment) {
 
 void LightsEditor::add(const LightDescription& light, const std::string& comment) {
   const auto mistake = edit_->add(light, comment);
-  const std::size_t suns = lights().lights.size() + lights().suns.size();
+  const LightsDescription& all = lights();
   if (!mistake)
-    picked_ = (light.source.isSky ? lights().count()
-               : light.source.sun ? suns
-                                  : lights().lights.size()) -
+    picked_ = (light.source.isEmitter() ? all.count()
+               : light.source.isSky     ? all.firstEmitter()
+               : light.source.sun       ? all.firstSky()
+                                        : all.firstSun()) -
               1;
   take(mistake);
 }

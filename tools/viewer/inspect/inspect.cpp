@@ -97,7 +97,8 @@ class Follower {
         settings_(settings),
         place_(place),
         meshes_(scene.level()),
-        hemisphere_(scene, meshes_, place) {}
+        hemisphere_(scene, meshes_, place),
+        areas_(scene, settings.solidMaskedMiddles) {}
 
   /// What is known of a light without following it.
   LightFinding glance(std::size_t index) const {
@@ -106,13 +107,13 @@ class Follower {
                                              : std::numeric_limits<double>::infinity();
     return {
         index, LightReason::NotReached, distance, light.brightnessAt(place_.point),
-        light.isSky ? light.intensity : TruthSource::unshaded(light, place_, settings_.lambert)};
+        light.isArea() ? light.intensity : TruthSource::unshaded(light, place_, settings_.lambert)};
   }
 
   /// Returns how many rays that took, at most.
-  int follow(LightFinding& finding) const {
+  int follow(LightFinding& finding) {
     const LightSource& light = scene_.level().lights[finding.light];
-    if (light.isSky) return followSky(light, finding);
+    if (light.isArea()) return followArea(light, finding);
     followToPlace(finding);
     finding.comesNear = finding.seenFraction > 0 && finding.level > 0;
     if (finding.comesNear || finding.level * light.greatestFactor() < kVisibleLevel)
@@ -125,24 +126,30 @@ class Follower {
   }
 
  private:
-  /// Returns how many slices that took.
-  int followSky(const LightSource& light, LightFinding& finding) const {
+  /// Returns how many slices that took: those of the first area serve all.
+  int followArea(const LightSource& light, LightFinding& finding) {
     finding.reason = LightReason::TooWeak;
     if (light.reach(settings_.cutOff) == 0) return 0;
-    AreaVisibility areas(scene_, settings_.solidMaskedMiddles);
-    std::vector<double> fractions(areas.lights().size());
     std::int64_t slices = 0;
-    const SurfacePoint place = litSideOf(scene_.level(), place_);
-    if (place.mesh)
-      areas.findOnMesh(place.point, place.sector, {&place.normal, 1}, fractions, slices);
-    else
-      areas.findOnSurface(place.point, place.sector, place.normal, fractions, slices);
-    finding.seenFraction = fractions[areas.placeOf(finding.light)];
+    if (fractions_.empty()) slices = findAreas();
+    finding.seenFraction = fractions_[areas_.placeOf(finding.light)];
     finding.adds = finding.seenFraction * light.intensity *
                    Vec3{light.colorFactor(0), light.colorFactor(1), light.colorFactor(2)};
     finding.comesNear = finding.seenFraction > 0;
     finding.reason = finding.seenFraction > 0 ? LightReason::Lights : LightReason::NoneSeen;
     return static_cast<int>(slices);
+  }
+
+  /// Returns how many slices that took.
+  std::int64_t findAreas() {
+    fractions_.resize(areas_.lights().size());
+    std::int64_t slices = 0;
+    const SurfacePoint place = litSideOf(scene_.level(), place_);
+    if (place.mesh)
+      areas_.findOnMesh(place.point, place.sector, {&place.normal, 1}, fractions_, slices);
+    else
+      areas_.findOnSurface(place.point, place.sector, place.normal, fractions_, slices);
+    return slices;
   }
 
   /// The least that is enough, of some.
@@ -216,12 +223,14 @@ class Follower {
   const SurfacePoint& place_;
   TruthMeshes meshes_;
   HemisphereSample hemisphere_;
+  AreaVisibility areas_;
+  std::vector<double> fractions_;  ///< of areas, by their places; empty before they are found
 };
 
 double total(Vec3 levels) { return levels.x + levels.y + levels.z; }
 
 void findLights(const Scene& scene, const BakeSettings& settings, Inspection& found) {
-  const Follower follower(scene, settings, found.place);
+  Follower follower(scene, settings, found.place);
   for (std::size_t i = 0; i < scene.level().lights.size(); ++i)
     found.lights.push_back(follower.glance(i));
   std::ranges::stable_sort(found.lights, std::greater{}, &LightFinding::level);

@@ -18,7 +18,7 @@ enum class LightReason : std::uint8_t {
   InPlane,      ///< it lies in that plane
   Blocked,      ///< something stands between
   NotReached,   ///< its light passes the place in another part of the level
-  NoneSeen,     ///< no straight way leads from here to the sky
+  NoneSeen,     ///< no straight way leads from here to the sky, or to surfaces that shine
 };
 
 /// One light, at a point of a surface.
@@ -28,7 +28,7 @@ struct LightFinding {
   double distance;          ///< metres, from its middle; of what has no place infinity
   double level;             ///< at that distance, before colour
   double unshaded;          ///< levels, if nothing stood between; white
-  double seenFraction = 0;  ///< of a ball, disc or sky, 0..1; of a point 0 or 1
+  double seenFraction = 0;  ///< of a ball, disc or area, 0..1; of a point 0 or 1
   Vec3 adds = {};           ///< levels of red, green and blue
   std::optional<TruthHit> blocker = std::nullopt;  ///< what stands between, if that is the reason
   /// For a blocked light that is near: by how many metres it must be raised (lowered if negative)

@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "level/thing_name.h"
+#include "render/glow.h"
 #include "viewer/inspect/remedy.h"
 
 namespace hearth {
@@ -89,6 +90,13 @@ std::string blockedWords(const Level& level, const LightFinding& finding) {
                      pointWords(finding.blocker->point, ", "), advice);
 }
 
+std::string areaWords(const Level& level, const LightFinding& finding) {
+  const double percent = 100 * finding.seenFraction;
+  if (level.lights[finding.light].isSky)
+    return fmt::format("{:.0f} % of what level ground in the open gets", percent);
+  return fmt::format("{:.0f} % of what a place gets that sees nothing else", percent);
+}
+
 std::string_view brightnessWord(double level) {
   if (level < kClearLevel) return "dark";
   return level < 2 * kClearLevel ? "dim" : "lit";
@@ -101,13 +109,20 @@ std::string lightsWords(const Level& level, double sum) {
                      sum < kFaintLevel ? ", next to nothing" : "");
 }
 
-/// Of what the lights and its sector's own light give.
-std::string brightnessOf(const Level& level, SectorId sector, double lights) {
+/// Of what the lights, its sector's own light and its own texture give.
+std::string brightnessOf(const Level& level, SectorId sector, double lights, double shines = 0) {
   const double own = 255 * level[sector].light;
-  std::string words = fmt::format("{}, {} of 255: {}", brightnessWord(lights + own),
-                                  levelWords(lights + own), lightsWords(level, lights));
+  const double sum = lights + own + shines;
+  std::string words = fmt::format("{}, {} of 255: {}", brightnessWord(sum), levelWords(sum),
+                                  lightsWords(level, lights));
   if (own > 0) words += fmt::format("; the sector's own light gives {}", levelWords(own));
+  if (shines > 0) words += fmt::format("; its texture shines with {}", levelWords(shines));
   return words;
+}
+
+/// Levels that are added to what is drawn of a surface, or a face, with that texture.
+double shiningOf(const Level& level, SurfaceKind kind, TextureId texture) {
+  return 255 * brightest(Glow(level).of(kind, texture));
 }
 
 }  // namespace
@@ -144,7 +159,8 @@ double brightest(Vec3 levels) { return std::max({levels.x, levels.y, levels.z});
 
 std::string brightnessWords(const Level& level, const Inspection& found) {
   if (!found.lightmap) return "sky: always fully bright";
-  return brightnessOf(level, found.place.sector, brightest(found.sum));
+  return brightnessOf(level, found.place.sector, brightest(found.sum),
+                      shiningOf(level, found.place.kind, found.place.texture->texture));
 }
 
 std::string spriteWords(const Level& level, std::size_t sprite) {
@@ -176,16 +192,15 @@ std::string meshBrightnessWords(const Level& level, const MeshHit& found, const 
                             level.meshFaces[found.face], found.point);
     levels = {map->sample(at.x, at.y, 0), map->sample(at.x, at.y, 1), map->sample(at.x, at.y, 2)};
   }
-  return brightnessOf(level, mesh.sector, brightest(levels));
+  return brightnessOf(level, mesh.sector, brightest(levels),
+                      shiningOf(level, SurfaceKind::Mesh, level.meshFaces[found.face].texture));
 }
 
 std::string reasonWords(const Level& level, const SurfacePoint& place,
                         const LightFinding& finding) {
   switch (finding.reason) {
     case LightReason::Lights:
-      if (level.lights[finding.light].isSky)
-        return fmt::format("{:.0f} % of what level ground in the open gets",
-                           100 * finding.seenFraction);
+      if (level.lights[finding.light].isArea()) return areaWords(level, finding);
       if (finding.seenFraction < 1)
         return fmt::format("{:.0f} % of it seen", 100 * finding.seenFraction);
       return brightest(finding.adds) < kFaintLevel ? weakWords(level.lights[finding.light], finding)
@@ -209,7 +224,10 @@ std::string reasonWords(const Level& level, const SurfacePoint& place,
     case LightReason::NotReached:
       return "not reached: it shines in a part of the level from which no straight way leads here";
     case LightReason::NoneSeen:
-      return "not seen: no straight way leads from here to the sky";
+      if (level.lights[finding.light].isSky)
+        return "not seen: no straight way leads from here to the sky";
+      return fmt::format("not seen: no straight way leads from here to \"{}\"",
+                         level.lights[finding.light].texture);
   }
   return "";
 }

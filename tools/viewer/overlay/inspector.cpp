@@ -90,6 +90,8 @@ std::optional<std::string> Inspector::show(const InspectedLevel& in, const Camer
   if (in.isInPicture) drawLightRays(*found_, asked.light, in.scene, camera);
   if (lights && asked.picked) lights->pick(*asked.picked);
   if (lights && asked.addsLight) lights->addBefore(in.scene, found_->place);
+  if (lights && asked.letsShine)
+    lights->addEmitter(in.scene.level().textures[found_->place.texture->texture.index()]);
   if (asked.letsGo) letGo();
   return asked.copied;
 }

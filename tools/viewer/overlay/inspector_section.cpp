@@ -85,8 +85,20 @@ class Section {
       asked_.addsLight = ImGui::SmallButton("add a light here");
       showTip("A metre before this surface, or half as far as there is room.");
       ImGui::SameLine();
+      if (mayShine()) {
+        asked_.letsShine = ImGui::SmallButton("let it shine");
+        showTip("And all other surfaces that wear this texture. Lights has its fields.");
+        ImGui::SameLine();
+      }
     }
     showUnpin(asked_);
+  }
+
+  /// Whether its texture can be that of an emitter, and is of none.
+  bool mayShine() const {
+    const std::string& texture = level_.textures[place_.texture->texture.index()];
+    return canShine(place_.kind) &&
+           std::ranges::find(level_.lights, texture, &LightSource::texture) == level_.lights.end();
   }
 
   /// Lets the text before be clicked on, which copies a place in the level's files:
@@ -200,9 +212,10 @@ class Section {
                                               imColor(colorOf(level_.lights[finding.light])));
     ImGui::TextUnformatted(name.data());
     const LightSource& light = level_.lights[finding.light];
-    const std::string away = light.isSky ? "sky"
-                             : light.sun ? "sun"
-                                         : fmt::format("{:.2f} m", finding.distance);
+    const std::string away = light.isEmitter() ? "surfaces"
+                             : light.isSky     ? "sky"
+                             : light.sun       ? "sun"
+                                               : fmt::format("{:.2f} m", finding.distance);
     showColumns(left, away, levelWords(brightest(finding.adds)));
   }
 
@@ -226,9 +239,10 @@ class Section {
 }  // namespace
 
 std::string InspectedSurface::nameOf(std::size_t light) const {
-  if (!source) return lightName(light, "");
+  const LightSource& of = level.lights[light];
+  if (!source) return lightName(light, of, "");
   const Place place = source->lights.at(light).place;
-  return lightName(light, commentAt(source->documents[place.document].text, place.offset));
+  return lightName(light, of, commentAt(source->documents[place.document].text, place.offset));
 }
 
 std::size_t listedLights(const Inspection& found) {

@@ -16,6 +16,7 @@ struct InspectorRequest {
   std::optional<std::size_t> light = {};   ///< that it is on: an index into the findings
   std::optional<std::size_t> picked = {};  ///< that was clicked on: its index in the level
   bool addsLight = false;                  ///< before the place
+  bool letsShine = false;                  ///< all that wears the texture of the place
   bool letsGo = false;                     ///< of what is pinned
   std::optional<std::string> copied = {};
 };

@@ -118,7 +118,7 @@ class WorldLines {
 };
 
 void drawRay(const LightFinding& finding, const LightSource& light, Vec3 place, WorldLines& lines) {
-  if (light.isSky) return;
+  if (light.isArea()) return;
   const Vec3 from = light.sun ? place + kToSun * light.sun->direction() : light.position;
   if (finding.adds != Vec3{}) return lines.draw(from, place, colorOf(light), Stroke::Whole);
   const Vec3 end = finding.blocker ? finding.blocker->point : from;

@@ -81,7 +81,7 @@ void showRow(LightsTool& tool, std::size_t i) {
     editor.pick(i);
   }
   ImGui::SetCursorPos(begin);
-  showText(lightName(i, editor.commentOf(i)));
+  showText(lightName(i, editor.lights().at(i).source, editor.commentOf(i)));
   ImGui::PopID();
 }
 
@@ -143,6 +143,13 @@ constexpr FieldRange kSunIntensity{0,    kLargest,      1,
                                    0.01, "%.1f of 255", "Levels of light where all of it is seen."};
 constexpr FieldRange kSkyIntensity{
     0, kLargest, 1, 0.01, "%.1f of 255", "Levels of light on level ground in the open."};
+constexpr FieldRange kEmitted{0,
+                              kLargest,
+                              1,
+                              0.01,
+                              "%.1f of 255",
+                              "Levels of light on what sees nothing else. The "
+                              "surface itself is drawn that bright."};
 
 /// Of a light that becomes a spot: straight down.
 const Spot kFirstSpot(0, -90, 20, 40);
@@ -314,14 +321,15 @@ bool showFieldsOfSun(LightSource& source) {
   return showColor(source) || isChanged;
 }
 
-bool showFieldsOfSky(LightSource& source) {
-  const bool isChanged = showField("intensity", source.intensity, kSkyIntensity);
+bool showFieldsOfArea(LightSource& source) {
+  const bool isChanged =
+      showField("intensity", source.intensity, source.isSky ? kSkyIntensity : kEmitted);
   return showColor(source) || isChanged;
 }
 
 bool showFields(LightDescription& light) {
   LightSource& source = light.source;
-  if (source.isSky) return showFieldsOfSky(source);
+  if (source.isArea()) return showFieldsOfArea(source);
   if (source.sun) return showFieldsOfSun(source);
   bool isChanged = showPosition(source.position);
   isChanged |= showSector(light);

@@ -40,15 +40,18 @@ constexpr double kLowestNewSun = 30;
 /// Levels. Shadows show beside what a sun adds.
 constexpr double kNewSky = 100;
 
+/// Levels. Its image still shows in what shines.
+constexpr double kNewEmitter = 150;
+
 /// The sector of a point that the eye sees.
 std::optional<SectorId> seenAt(const Scene& scene, const Camera& camera, Vec3 point) {
   const Vec3 eye = nudgedInside(scene, scene[camera.sector], camera.eye);
   return Raytracer(scene).sectorAt({eye, camera.sector}, point);
 }
 
-/// Where a light has its mark; the sky has none.
+/// Where a light has its mark; areas have none.
 std::optional<Vec2> markOf(const LightSource& light, const MarkerSpace& space) {
-  if (light.isSky) return std::nullopt;
+  if (light.isArea()) return std::nullopt;
   return light.sun ? space.pixelTowards(light.sun->direction()) : space.pixelOf(light.position);
 }
 
@@ -274,6 +277,15 @@ void LightsTool::addSky() {
   LightDescription light;
   light.source.isSky = true;
   light.source.intensity = kNewSky;
+  editor_.add(light);
+  section_.reveal();
+}
+
+void LightsTool::addEmitter(const std::string& texture) {
+  release();
+  LightDescription light;
+  light.source.texture = texture;
+  light.source.intensity = kNewEmitter;
   editor_.add(light);
   section_.reveal();
 }

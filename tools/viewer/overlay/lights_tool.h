@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include "image/pixel_rows.h"
@@ -67,6 +68,8 @@ class LightsTool {
   void addSun(const Camera& camera);
   /// To a file that has none.
   void addSky();
+  /// Lets all surfaces shine that wear the texture.
+  void addEmitter(const std::string& texture);
   /// Puts a light a metre before a surface, or half as far as there is air.
   void addBefore(const Scene& scene, const SurfacePoint& place);
 

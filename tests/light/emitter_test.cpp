@@ -1,0 +1,134 @@
+// The light of surfaces that shine, as it is baked.
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "light/light_hash.h"
+#include "light/rebake.h"
+#include "same_bakes.h"
+#include "support/baked_room.h"
+#include "support/level_text.h"
+#include "support/models.h"
+
+namespace hearth {
+namespace {
+
+using test::BakedRoom;
+using test::levelFrom;
+
+/// A room of black walls, 8 x 6 x 3 m, whose ceiling wears a texture.
+std::string hallUnder(std::string_view ceiling, std::string_view more = "") {
+  return fmt::format(
+      "{{'light':0,'sectors':{{'hall':{{'floor':{{'texture':'#000000'}},"
+      "'ceiling':{{'z':3,'texture':'{}'}},'loops':{{'border':{{'v':[0,0, 8,0, 8,6, 0,6],"
+      "'walls':{{'texture':'#000000'}}}}}}}}}},'things':[{}]}}",
+      ceiling, more);
+}
+
+std::string emitText(std::string_view emitters, std::string_view bake = "{}") {
+  return fmt::format("{{'lights':[],'emit':{{{}}},'bake':{}}}", emitters, bake);
+}
+
+/// Of a rectangle, parallel to a plane and so far above it, over one of its corners (Lambert).
+double factorOverCorner(double a, double b, double height) {
+  const double x = a / height;
+  const double y = b / height;
+  const double ofX = x / std::sqrt(1 + x * x);
+  const double ofY = y / std::sqrt(1 + y * y);
+  return (ofX * std::atan(y / std::sqrt(1 + x * x)) + ofY * std::atan(x / std::sqrt(1 + y * y))) /
+         (2 * std::numbers::pi);
+}
+
+TEST(Emitters, GiveAClosedRoomOfThemTheirIntensity) {
+  const BakedRoom room(hallUnder("#000000"), emitText("'#000000':{'intensity':100}"));
+  for (const Vec3 p : {Vec3{4, 3, 0}, Vec3{0.1, 5.9, 0}}) {
+    EXPECT_NEAR(room.at(SurfaceKind::Floor, p), 100, 1);
+    EXPECT_NEAR(room.at(SurfaceKind::Ceiling, {p.x, p.y, 3}), 100, 1);
+  }
+  EXPECT_NEAR(room.at(SurfaceKind::Solid, {0, 3, 1.5}), 100, 1);
+}
+
+TEST(Emitters, GiveTheFormFactorOfACeilingInTheirColor) {
+  const BakedRoom room(hallUnder("#ffffff"),
+                       emitText("'#ffffff':{'intensity':250,'color':'#ff8000'}"));
+  for (const Vec2 p : {Vec2{4, 3}, Vec2{1, 5}, Vec2{0.2, 0.2}}) {
+    const double seen = factorOverCorner(p.x, p.y, 3) + factorOverCorner(8 - p.x, p.y, 3) +
+                        factorOverCorner(p.x, 6 - p.y, 3) + factorOverCorner(8 - p.x, 6 - p.y, 3);
+    EXPECT_NEAR(room.at(SurfaceKind::Floor, {p.x, p.y, 0}), 250 * seen, 1.5);
+    EXPECT_NEAR(room.at(SurfaceKind::Floor, {p.x, p.y, 0}, "", 1), 250 * seen * 128 / 255, 1.5);
+    EXPECT_EQ(room.at(SurfaceKind::Floor, {p.x, p.y, 0}, "", 2), 0);
+  }
+  EXPECT_EQ(room.at(SurfaceKind::Ceiling, {4, 3, 3}), 0) << "it does not see itself";
+}
+
+TEST(Emitters, AreOfMeshesToo) {
+  const std::string box = "{'mesh':'box.obj','x':4,'y':3,'texture':'#ff0000'}";
+  const BakedRoom room(levelFrom(hallUnder("#000000", box), emitText("'#ff0000':{'intensity':250}"),
+                                 {{"box.obj", test::kBoxModel}}));
+  EXPECT_GT(room.at(SurfaceKind::Floor, {4.55, 3, 0}), 80);
+  EXPECT_GT(room.at(SurfaceKind::Ceiling, {4, 3, 3}), 10);
+  EXPECT_EQ(room.onMesh({4, 3, 1}, {0, 0, 1}), 0);
+}
+
+/// Of nothing but surfaces and meshes: a sky, a sprite and a middle texture are none.
+TEST(Emitters, AreNotSkiesSpritesAndMiddleTextures) {
+  const std::string level =
+      "{'light':0,'sectors':{"
+      "'west':{'floor':{'texture':'#808080'},'ceiling':{'z':3,'texture':'#00ff00','parallax':true},"
+      "'loops':{'border':{'v':[0,0, 4,0, 4,4, 0,4],'walls':[{'texture':'#808080'},"
+      "{'next':'east','middle':'#00ff00','upper':'#808080'},{'texture':'#808080'},"
+      "{'texture':'#808080'}]}}},"
+      "'east':{'floor':{'texture':'#808080'},'ceiling':{'z':3,'texture':'#808080'},"
+      "'loops':{'border':{'v':[4,0, 8,0, 8,4, 4,4],'walls':[{'texture':'#808080'},"
+      "{'texture':'#808080'},{'texture':'#808080'},"
+      "{'next':'west','middle':'#00ff00'}]}}}},"
+      "'things':[{'sprite':'#00ff00','x':2,'y':2,'size':[1,1]}]}";
+  const BakedRoom room(level, emitText("'#00ff00':{'intensity':250}"));
+  for (const auto& map : room.light().lightmaps) EXPECT_FALSE(map);
+}
+
+TEST(Emitters, AreBakedAgainWhereASurfaceChangesItsTexture) {
+  const std::string lights = emitText("'#ffffff':{'intensity':250}");
+  const std::string things = "{'mesh':'box.obj','x':4,'y':3,'texture':'#ff0000'}";
+  const std::vector<test::NamedText> models{{"box.obj", test::kBoxModel}};
+  const LoadedLevel dark = levelFrom(hallUnder("#eeeeee", things), lights, models);
+  const LoadedLevel lit = levelFrom(hallUnder("#ffffff", things), lights, models);
+  LightMemory memory;
+  for (const LoadedLevel* level : {&dark, &lit, &dark})
+    test::expectSame(level->scene(), *Rebake(memory, level->scene(), level->level.bake, 2).finish(),
+                     bake(level->scene(), level->level.bake, 2));
+  EXPECT_NE(lightHash(dark.scene(), dark.level.bake), lightHash(lit.scene(), lit.level.bake));
+}
+
+TEST(Emitters, AreBakedAgainWhereAMeshChangesItsTexture) {
+  const std::string lights = emitText("'#ffffff':{'intensity':250},'#ff0000':{'intensity':50}");
+  const auto withBox = [&](std::string_view texture) {
+    return levelFrom(
+        hallUnder("#000000",
+                  fmt::format("{{'mesh':'box.obj','x':4,'y':3,'texture':'{}'}}", texture)),
+        lights, {{"box.obj", test::kBoxModel}});
+  };
+  const LoadedLevel dim = withBox("#ff0000");
+  const LoadedLevel lit = withBox("#ffffff");
+  LightMemory memory;
+  for (const LoadedLevel* level : {&dim, &lit})
+    test::expectSame(level->scene(), *Rebake(memory, level->scene(), level->level.bake, 2).finish(),
+                     bake(level->scene(), level->level.bake, 2));
+  EXPECT_NE(lightHash(dim.scene(), dim.level.bake), lightHash(lit.scene(), lit.level.bake));
+}
+
+TEST(Emitters, LeaveTheHashOfALevelAloneInWhichNothingElseShines) {
+  const std::string lights = emitText("'#ffffff':{'intensity':250}");
+  const LoadedLevel one = levelFrom(hallUnder("#ffffff"), lights);
+  LoadedLevel other = levelFrom(hallUnder("#ffffff"), lights);
+  for (std::string& name : other.level.textures)
+    if (name == "#000000") name = "#111111";
+  EXPECT_EQ(lightHash(one.scene(), one.level.bake), lightHash(other.scene(), other.level.bake));
+}
+
+}  // namespace
+}  // namespace hearth
