@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "light/gather/area_lights.h"
+#include "light/gather/small_areas.h"
 #include "light/geometry_hash.h"
 #include "math/hash.h"
 
@@ -34,7 +35,7 @@ class Printer {
     for (std::size_t i = 0; i < surfaces_.size(); ++i)
       prints.surfaces.push_back(printOf(SurfaceId(i)));
     prints.meshes = printsOfMeshes();
-    for (const LightSource& light : scene_.level().lights) prints.lights.push_back(printOf(light));
+    prints.lights = printsOfLights();
     return prints;
   }
 
@@ -162,6 +163,22 @@ class Printer {
       hashes[at.mesh].addWhole(names_[at.sector.index()]);
     std::vector<std::uint64_t> prints;
     for (const Hash& hash : hashes) prints.push_back(hash.value());
+    return prints;
+  }
+
+  /// Areas are found together: where one is looked for closely, all are. So each has the prints of
+  /// all of them, and of the surfaces that are looked for.
+  std::vector<std::uint64_t> printsOfLights() const {
+    std::vector<std::uint64_t> prints;
+    for (const LightSource& light : scene_.level().lights) prints.push_back(printOf(light));
+    Hash all;
+    for (const std::size_t area : areas_.lights()) all.addWhole(prints[area]);
+    SmallAreas(scene_, areas_).addTo(all);
+    for (const std::size_t area : areas_.lights()) {
+      Hash hash = all;
+      hash.addWhole(prints[area]);
+      prints[area] = hash.value();
+    }
     return prints;
   }
 

@@ -65,6 +65,30 @@ TEST(Emitters, GiveTheFormFactorOfACeilingInTheirColor) {
   EXPECT_EQ(room.at(SurfaceKind::Ceiling, {4, 3, 3}), 0) << "it does not see itself";
 }
 
+/// A lamp of 0.4 m in a hall of 24 x 24 m.
+TEST(Emitters, AreSeenHoweverSmallTheyAre) {
+  const auto walls = [](std::string_view more) {
+    return fmt::format("'walls':{{'texture':'#000000'{}}}", more);
+  };
+  const BakedRoom room(
+      fmt::format("{{'light':0,'sectors':{{'hall':{{'floor':{{'texture':'#000000'}},"
+                  "'ceiling':{{'z':3,'texture':'#000000'}},'loops':{{"
+                  "'border':{{'v':[-12,-12, 12,-12, 12,12, -12,12],{}}},"
+                  "'lamp':{{'v':[-0.2,-0.2, -0.2,0.2, 0.2,0.2, 0.2,-0.2],{}}}}}}},"
+                  "'lamp':{{'floor':{{'texture':'#000000'}},"
+                  "'ceiling':{{'z':3,'texture':'#ffffff'}},'loops':{{"
+                  "'border':{{'v':[-0.2,-0.2, 0.2,-0.2, 0.2,0.2, -0.2,0.2],{}}}}}}}}}}}",
+                  walls(""), walls(",'next':'lamp'"), walls(",'next':'hall'")),
+      emitText("'#ffffff':{'intensity':9000}", "{'texel':0.25}"));
+  for (double x = 2; x < 12; x += 0.7)
+    for (double y = 0; y <= x; y += 0.9) {
+      const double square = x * x + y * y + 9;
+      const double seen = 0.16 * 9 / (std::numbers::pi * square * square);
+      EXPECT_NEAR(room.at(SurfaceKind::Floor, {x, y, 0}, "hall"), 9000 * seen, 1 + 360 * seen)
+          << x << ' ' << y;
+    }
+}
+
 TEST(Emitters, AreOfMeshesToo) {
   const std::string box = "{'mesh':'box.obj','x':4,'y':3,'texture':'#ff0000'}";
   const BakedRoom room(levelFrom(hallUnder("#000000", box), emitText("'#ff0000':{'intensity':250}"),

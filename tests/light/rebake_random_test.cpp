@@ -60,6 +60,7 @@ class Draft {
     level_ = Json::parse(random.levelJson);
     lights_ = Json::parse(random.lightsJson);
     name_ = random.name;
+    mayShine_ = seed % 4 == 0;
     EXPECT_TRUE(writeRandomLevelTextures(folder_ / "textures"));
   }
   ~Draft() { std::filesystem::remove_all(folder_); }
@@ -86,7 +87,7 @@ class Draft {
 
  private:
   void edit() {
-    switch (whims_.below(11)) {
+    switch (whims_.below(12)) {
       case 0:
         return moveVertex();
       case 1:
@@ -106,6 +107,8 @@ class Draft {
         return turnSun();
       case 9:
         return changeSky();
+      case 10:
+        return changeEmitter();
       default:
         return addOrDropLight();
     }
@@ -180,6 +183,13 @@ class Draft {
     if (whims_.below(2)) lights_["sky"]["color"] = "#a0c0ff";
   }
 
+  /// In some levels: areas are found together, so each such edit asks for the sky, too.
+  void changeEmitter() {
+    if (!lights_.contains("lights") || !mayShine_) return;
+    const std::string texture(kRandomLevelTextures[whims_.below(2)].name);
+    lights_["emit"][texture]["intensity"] = 60.0 * whims_.numberBelow(4);
+  }
+
   void addOrDropLight() {
     Json& list = lightList();
     if (whims_.below(2) && list.size() > 1)
@@ -190,6 +200,7 @@ class Draft {
 
   std::filesystem::path folder_;
   Whims whims_;
+  bool mayShine_;
   std::string name_;
   Json level_;
   Json lights_;

@@ -17,11 +17,18 @@ constexpr int kFirstSlices = 16;
 constexpr int kMostSlices = kFirstSlices << 6;
 /// ... while that changes the light by more levels than this.
 constexpr double kChange = 0.3;
+/// What gives less than so many levels may be missed between two slices.
+constexpr double kMissed = 1;
 
-/// Of length 1, all around. None runs along an axis: walls do, and their corners lie in line.
+/// Degrees. None runs along an axis: walls do, and their corners lie in line.
+double compassOf(int slice) {
+  constexpr double kOffAxis = 0.0573;
+  return kOffAxis + 360.0 * slice / kMostSlices;
+}
+
+/// Of length 1.
 Vec2 directionOf(int slice) {
-  constexpr double kOffAxis = 0.0573;  // degrees
-  const SinCos at = sinCosDegrees(kOffAxis + 360.0 * slice / kMostSlices);
+  const SinCos at = sinCosDegrees(compassOf(slice));
   return {at.cos, at.sin};
 }
 
@@ -61,18 +68,22 @@ struct AreaVisibility::Step {
 };
 
 AreaVisibility::AreaVisibility(const Scene& scene, bool solidMaskedMiddles)
-    : scene_(scene), slice_(scene, solidMaskedMiddles) {
-  for (const std::size_t i : lights())
+    : scene_(scene), slice_(scene, solidMaskedMiddles), small_(scene, slice_.lights()) {
+  for (const std::size_t i : lights()) {
     changes_.push_back(fractionFor(kChange, scene.level().lights[i]));
+    worth_.push_back(fractionFor(kMissed, scene.level().lights[i]));
+  }
 }
 
 /// The integral over the compass of what slices have, as a fraction of `whole`.
 template <typename InSlice>
-void AreaVisibility::integrate(InSlice&& inSlice, double whole, std::span<double> fractions,
-                               std::int64_t& slices) {
+void AreaVisibility::integrate(Vec3 point, InSlice&& inSlice, double whole,
+                               std::span<double> fractions, std::int64_t& slices) {
   inSlices_.clear();
   sums_.assign(fractions.size(), 0);
   whole_ = whole;
+  narrow_.clear();
+  small_.findAround(point, 360.0 / kFirstSlices, worth_, narrow_);
   constexpr int kWidth = kMostSlices / kFirstSlices;
   const std::size_t first = slice(0, inSlice, slices);
   std::size_t atFrom = first;
@@ -98,13 +109,24 @@ void AreaVisibility::addStep(const Step& step, const InSlice& inSlice, std::int6
   for (std::size_t k = 0; k < sums_.size(); ++k)
     changes |= half * std::abs(inSlices_[atMiddle + k] - meanOfEnds(k)) >
                changes_[k % changes_.size()] * whole_;
-  if (changes && middle - step.from > 1) {
+  if ((changes || hidesSmallArea(step)) && middle - step.from > 1) {
     addStep({step.from, middle, step.atFrom, atMiddle}, inSlice, slices);
     addStep({middle, step.to, atMiddle, step.atTo}, inSlice, slices);
     return;
   }
   for (std::size_t k = 0; k < sums_.size(); ++k)
     sums_[k] += half * (inSlices_[atMiddle + k] + meanOfEnds(k));
+}
+
+/// Whether something lies in a step that is narrower than it: then its slices may miss it.
+bool AreaVisibility::hidesSmallArea(const Step& step) const {
+  const double from = compassOf(step.from);
+  const double to = compassOf(step.to);
+  return std::ranges::any_of(narrow_, [&](const CompassInterval& directions) {
+    const double end = directions.from + directions.width;
+    const bool meets = (directions.from < to && end > from) || end - 360 > from;
+    return meets && directions.width < to - from;
+  });
 }
 
 /// Returns where its values begin.
@@ -137,7 +159,7 @@ void AreaVisibility::findBefore(const SliceStart& start, std::span<const Vec3> n
               cosineUpTo(seen.to, ahead, normals[k].z) - cosineUpTo(seen.from, ahead, normals[k].z);
     }
   };
-  integrate(inSlice, std::numbers::pi, fractions, slices);
+  integrate(start.point, inSlice, std::numbers::pi, fractions, slices);
 }
 
 void AreaVisibility::findOnSurface(Vec3 point, SectorId sector, Vec3 normal,
@@ -160,7 +182,7 @@ void AreaVisibility::findFromAir(Vec3 point, SectorId sector, std::span<double> 
          slice_.areas({point, sector, kArrival}, direction, {-kStraightUp, kStraightUp}, nullptr))
       sums[light] += sineOf(slopes.to) - sineOf(slopes.from);
   };
-  integrate(inSlice, 4 * std::numbers::pi, fractions, slices);
+  integrate(point, inSlice, 4 * std::numbers::pi, fractions, slices);
 }
 
 }  // namespace hearth

@@ -8,6 +8,7 @@
 
 #include "level/scene.h"
 #include "light/gather/slice.h"
+#include "light/gather/small_areas.h"
 
 namespace hearth {
 
@@ -24,7 +25,7 @@ inline double fractionFor(double levels, const LightSource& light) {
 ///
 /// In each of some compass directions a slice tells the slopes in question, over which the cosine
 /// is integrated exactly. Between compass directions the trapezoid rule halves its steps while that
-/// changes something.
+/// changes something, and where a surface that shines is narrower than a step.
 class AreaVisibility {
  public:
   /// Of all lights of the level that are areas. `solidMaskedMiddles`: see BakeSettings.
@@ -53,8 +54,9 @@ class AreaVisibility {
   void findBefore(const SliceStart& start, std::span<const Vec3> normals,
                   std::span<double> fractions, std::int64_t& slices, SectorSet* met);
   template <typename InSlice>
-  void integrate(InSlice&& inSlice, double whole, std::span<double> fractions,
+  void integrate(Vec3 point, InSlice&& inSlice, double whole, std::span<double> fractions,
                  std::int64_t& slices);
+  bool hidesSmallArea(const Step& step) const;
   template <typename InSlice>
   void addStep(const Step& step, const InSlice& inSlice, std::int64_t& slices);
   template <typename InSlice>
@@ -62,8 +64,11 @@ class AreaVisibility {
 
   Scene scene_;
   Slice slice_;
-  std::vector<double> changes_;   ///< of the fraction of each, that are worth more slices
-  std::vector<double> inSlices_;  ///< of those of the point at hand, one after the other
+  SmallAreas small_;
+  std::vector<double> changes_;  ///< of the fraction of each, that are worth more slices
+  std::vector<double> worth_;    ///< fractions of each for which what is small is looked for
+  std::vector<CompassInterval> narrow_;  ///< around the point at hand
+  std::vector<double> inSlices_;         ///< of those of the point at hand, one after the other
   std::vector<double> sums_;
   double whole_ = 0;
 };
