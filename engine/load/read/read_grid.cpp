@@ -58,8 +58,8 @@ std::optional<GridAirDescription> readAir(Report& report, JsonValue value) {
   air.floor = readGridFlat(report, fields, "floor", kFloorZ);
   air.ceiling = readGridFlat(report, fields, "ceiling", kCeilingZ);
   fields.read("light", {0, 1}, air.light);
-  const bool isGood = readOptionalTexture(report, fields, "upper", air.upper) &
-                      readOptionalTexture(report, fields, "lower", air.lower);
+  bool isGood = readOptionalTexture(report, fields, "upper", air.upper);
+  isGood &= readOptionalTexture(report, fields, "lower", air.lower);
   if (air.floor.isReadable && air.ceiling.isReadable && air.ceiling.z < air.floor.z) {
     report.error(
         air.ceiling.zPlace,
@@ -73,8 +73,8 @@ std::optional<GridAirDescription> readAir(Report& report, JsonValue value) {
 std::optional<GridNextDescription> readNext(Report& report, JsonValue value) {
   const Fields fields(report, value, kGridNextKeys, kOfOtherCells);
   GridNextDescription portal;
-  const bool isGood = readOptionalTexture(report, fields, "upper", portal.upper) &
-                      readOptionalTexture(report, fields, "lower", portal.lower);
+  bool isGood = readOptionalTexture(report, fields, "upper", portal.upper);
+  isGood &= readOptionalTexture(report, fields, "lower", portal.lower);
   const std::optional<NameReference> next = readReference(report, *fields.find("next"));
   if (!isGood || !next) return std::nullopt;
   portal.next = *next;
