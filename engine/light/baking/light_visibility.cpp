@@ -370,6 +370,7 @@ LightVisibilities::LightVisibilities(const Scene& scene, const BakeSettings& set
       settings_(settings),
       regions_(std::move(regions)),
       purpose_(purpose),
+      areas_(scene, settings.solidMaskedMiddles),
       lights_(reach.lights()) {}
 
 std::vector<SectorId> LightVisibilities::sectorsOf(std::size_t light) const {

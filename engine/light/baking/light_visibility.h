@@ -146,7 +146,7 @@ class LightVisibilities {
   }
   const SunVisibility& roughSun(std::size_t light) const { return *ready(light).roughSun; }
   /// A new one: each of the threads that ask needs its own.
-  AreaVisibility areas() const { return {scene_, settings_.solidMaskedMiddles}; }
+  AreaVisibility areas() const { return areas_; }
   bool isDraft() const { return purpose_ == Purpose::Draft; }
   /// See LightVisibility; what has no place has no beams.
   void prefetchBeams(std::size_t light) const {
@@ -175,6 +175,7 @@ class LightVisibilities {
   BakeSettings settings_;
   std::vector<Box> regions_;  ///< none if beams lead everywhere
   Purpose purpose_;
+  AreaVisibility areas_;  ///< as all begin
   mutable std::vector<Light> lights_;
 };
 
