@@ -11,6 +11,7 @@
 #include "light/rebake.h"
 #include "same_bakes.h"
 #include "support/baked_room.h"
+#include "support/form_factor.h"
 #include "support/level_text.h"
 #include "support/models.h"
 
@@ -18,6 +19,7 @@ namespace hearth {
 namespace {
 
 using test::BakedRoom;
+using test::factorOverCorner;
 using test::levelFrom;
 
 /// A room of black walls, 8 x 6 x 3 m, whose ceiling wears a texture.
@@ -31,16 +33,6 @@ std::string hallUnder(std::string_view ceiling, std::string_view more = "") {
 
 std::string emitText(std::string_view emitters, std::string_view bake = "{}") {
   return fmt::format("{{'lights':[],'emit':{{{}}},'bake':{}}}", emitters, bake);
-}
-
-/// Of a rectangle, parallel to a plane and so far above it, over one of its corners (Lambert).
-double factorOverCorner(double a, double b, double height) {
-  const double x = a / height;
-  const double y = b / height;
-  const double ofX = x / std::sqrt(1 + x * x);
-  const double ofY = y / std::sqrt(1 + y * y);
-  return (ofX * std::atan(y / std::sqrt(1 + x * x)) + ofY * std::atan(x / std::sqrt(1 + y * y))) /
-         (2 * std::numbers::pi);
 }
 
 TEST(Emitters, GiveAClosedRoomOfThemTheirIntensity) {

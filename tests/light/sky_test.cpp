@@ -5,13 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <vector>
 
 #include "light/gather/area_visibility.h"
 #include "light/gather/light_lattice.h"
 #include "support/baked_room.h"
+#include "support/form_factor.h"
 #include "support/in_tree.h"
 #include "support/level_text.h"
 #include "support/models.h"
@@ -20,6 +20,7 @@ namespace hearth {
 namespace {
 
 using test::BakedRoom;
+using test::factorOverCorner;
 using test::levelFrom;
 using test::sectorText;
 
@@ -60,16 +61,6 @@ double onFloor(const LoadedLevel& loaded, Vec3 p) {
   return fraction;
 }
 
-/// Of a rectangle, parallel to a plane and so far above it, over one of its corners (Lambert).
-double factorOfCorner(double a, double b, double height) {
-  const double x = a / height;
-  const double y = b / height;
-  const double ofX = x / std::sqrt(1 + x * x);
-  const double ofY = y / std::sqrt(1 + y * y);
-  return (ofX * std::atan(y / std::sqrt(1 + x * x)) + ofY * std::atan(x / std::sqrt(1 + y * y))) /
-         (2 * std::numbers::pi);
-}
-
 TEST(Sky, GivesLevelGroundInTheOpenItsIntensity) {
   const LoadedLevel loaded = levelFrom(
       levelText(underSky("plain", "-500,-500, 500,-500, 500,500, -500,500", 0.001)), skyText(120));
@@ -83,8 +74,8 @@ TEST(Sky, ThroughAShaftHasTheFormFactorOfItsOpening) {
         levelFrom(levelText(underSky("shaft", "0,0, 2,0, 2,3, 0,3", height)), skyText(100));
     for (const Vec2 p : {Vec2{1, 1.5}, Vec2{0.5, 1}, Vec2{0.01, 2.9}}) {
       const double opening =
-          factorOfCorner(p.x, p.y, height) + factorOfCorner(2 - p.x, p.y, height) +
-          factorOfCorner(p.x, 3 - p.y, height) + factorOfCorner(2 - p.x, 3 - p.y, height);
+          factorOverCorner(p.x, p.y, height) + factorOverCorner(2 - p.x, p.y, height) +
+          factorOverCorner(p.x, 3 - p.y, height) + factorOverCorner(2 - p.x, 3 - p.y, height);
       EXPECT_NEAR(onFloor(loaded, {p.x, p.y, 0}), opening, 0.003) << height;
     }
   }
