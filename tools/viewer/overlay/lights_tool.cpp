@@ -264,30 +264,24 @@ void LightsTool::addBefore(const Scene& scene, const Camera& camera) {
 }
 
 void LightsTool::addSun(const Camera& camera) {
-  release();
   LightDescription light;
   const double pitch = std::clamp(std::round(camera.pitch), kLowestNewSun, 90.0);
   light.source.sun.emplace(std::round(camera.angle), pitch, 0);
-  editor_.add(light);
-  section_.reveal();
+  add(light);
 }
 
 void LightsTool::addSky() {
-  release();
   LightDescription light;
   light.source.isSky = true;
   light.source.intensity = kNewSky;
-  editor_.add(light);
-  section_.reveal();
+  add(light);
 }
 
 void LightsTool::addEmitter(const std::string& texture) {
-  release();
   LightDescription light;
   light.source.texture = texture;
   light.source.intensity = kNewEmitter;
-  editor_.add(light);
-  section_.reveal();
+  add(light);
 }
 
 void LightsTool::addBefore(const Scene& scene, const SurfacePoint& place) {
@@ -300,7 +294,6 @@ void LightsTool::addBefore(const Scene& scene, const SurfacePoint& place) {
 
 /// Names the sector where a position alone does not say which.
 void LightsTool::add(const Scene& scene, Vec3 position, std::optional<SectorId> sector) {
-  release();
   LightDescription light;
   light.source.falloff = kFirstFalloff;
   light.source.position = {toMillimetres(position.x), toMillimetres(position.y),
@@ -309,7 +302,12 @@ void LightsTool::add(const Scene& scene, Vec3 position, std::optional<SectorId> 
   const Locator locator(scene);
   if (sector && !locator.locate(light.source.position, std::nullopt, PositionOf::Light))
     light.sector = NameReference{name, {}};
-  editor_.add(light, sector ? "in " + name : "");
+  add(light, sector ? "in " + name : "");
+}
+
+void LightsTool::add(const LightDescription& light, const std::string& comment) {
+  release();
+  editor_.add(light, comment);
   section_.reveal();
 }
 

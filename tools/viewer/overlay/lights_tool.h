@@ -78,6 +78,7 @@ class LightsTool {
   void dragTo(const PointerEvent& event, const MarkerSpace& space);
   void dragSunTo(Vec2 pixel, const MarkerSpace& space);
   void add(const Scene& scene, Vec3 position, std::optional<SectorId> sector);
+  void add(const LightDescription& light, const std::string& comment = "");
 
   /// What holds the light that is dragged.
   struct Grip {
