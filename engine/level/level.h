@@ -92,8 +92,9 @@ struct Level {
   std::vector<Mesh> meshes;
   std::vector<MeshFace> meshFaces;
   std::vector<LightSource> lights;  ///< those with a place first, then the suns, the sky, emitters
-  std::vector<Vec3> reflectances;  ///< by TextureId: means of what is no hole, 0..1; may be shorter
-                                   ///< than `textures`, whose others reflect nothing
+  /// By TextureId: how much of red, green and blue light it reflects, 0..1, if nothing reduces it.
+  /// May be shorter than `textures`, whose others reflect nothing.
+  std::vector<Vec3> reflectances;
   BakeSettings bake;
   std::optional<Player> player;
   std::vector<Shot> shots;

@@ -20,7 +20,8 @@ struct CurvePoint {
 };
 
 /// A point light, or a ball of light if `radius` > 0; a spotlight if it has a `spot`. Or a sun, the
-/// sky, or an emitter: then it has no place, and only `intensity` and `color` count.
+/// sky, an emitter, or light that bounces: then it has no place, and only `intensity` and `color`
+/// count.
 struct LightSource {
   Vec3 position;
   SectorId sector;
@@ -34,12 +35,15 @@ struct LightSource {
   double radius = 0;         ///< metres
   std::optional<Spot> spot;  ///< none: it shines all around
   std::optional<Sun> sun;
-  bool isSky = false;   ///< all skies of a level, as one dome
+  bool isSky = false;  ///< all skies of a level, as one dome
+  /// What surfaces reflect of all other light, in the channels of its colour. No level has such a
+  /// light: a bake adds it.
+  bool isBounced = false;
   std::string texture;  ///< of an emitter: all surfaces that wear it shine, from their front; not
                         ///< skies, sprites and middle textures. Else empty
 
   bool isEmitter() const { return !texture.empty(); }
-  bool isArea() const { return isSky || isEmitter(); }
+  bool isArea() const { return isSky || isEmitter() || isBounced; }
   bool hasPlace() const { return !sun && !isArea(); }
 
   /// Light in levels at `distance` metres in full light, before colour.

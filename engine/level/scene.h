@@ -15,10 +15,19 @@ namespace hearth {
 /// geometry, which must outlive it. Pass and keep it by value, like a pointer.
 class Scene {
  public:
-  Scene(const Level& level, const Geometry& geometry) : level_(&level), geometry_(&geometry) {}
+  Scene(const Level& level, const Geometry& geometry)
+      : level_(&level), geometry_(&geometry), lights_(&level.lights) {}
 
   const Level& level() const { return *level_; }
   const Geometry& geometry() const { return *geometry_; }
+  /// What it is lit by: the lights of the level, unless it has others.
+  const std::vector<LightSource>& lights() const { return *lights_; }
+  /// The same, lit by others, which must outlive it.
+  Scene litBy(const std::vector<LightSource>& lights) const {
+    Scene scene = *this;
+    scene.lights_ = &lights;
+    return scene;
+  }
 
   const Sector& operator[](SectorId id) const { return (*level_)[id]; }
   const Segment& operator[](SegmentId id) const { return (*level_)[id]; }
@@ -83,6 +92,7 @@ class Scene {
  private:
   const Level* level_;
   const Geometry* geometry_;
+  const std::vector<LightSource>* lights_;
 };
 
 }  // namespace hearth

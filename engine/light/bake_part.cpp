@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "light/baking/bounces.h"
 #include "light/geometry_hash.h"
 #include "light/light_hash.h"
 #include "light/parts/joined_light.h"
@@ -49,12 +50,13 @@ std::string bakePart(const BakeInParts& bake, PartNumber number, int threads,
                      BakeProgress* progress) {
   BakeProgress unwatched;
   BakeProgress& done = progress ? *progress : unwatched;
-  const LevelInTiles level(bake.scene(), bake.settings(), threads);
+  const Bounces bounces(bake.scene(), bake.settings(), threads);
+  const LevelInTiles level(bounces.scene(), bake.settings(), threads);
   const std::vector<std::size_t> firstTiles = firstTilesOf(number.parts, level.tiles);
   const auto tiles =
       std::span(level.tiles).first(firstTiles[number.part]).subspan(firstTiles[number.part - 1]);
   done.begin(texelsOfTiles(tiles));
-  const TileBaker baker(bake.scene(), bake.settings(), level, tiles, threads);
+  const TileBaker baker(bounces, bake.settings(), level, tiles, threads);
   std::vector<std::string> sums(tiles.size());
   const std::vector<std::size_t> order = byFallingCost(tiles);
   parallelFor(order.size(), threads, [&](std::size_t job) {
@@ -72,10 +74,11 @@ tl::expected<PartNumber, std::string> partNumberOf(const BakeInParts& bake,
 
 tl::expected<BakedLight, JoinMistake> joinParts(const BakeInParts& bake,
                                                 std::span<const std::string> parts, int threads) {
-  LevelInTiles level(bake.scene(), bake.settings(), threads);
+  const Bounces bounces(bake.scene(), bake.settings(), threads);
+  LevelInTiles level(bounces.scene(), bake.settings(), threads);
   const std::vector<LightTile> tiles = std::move(level.tiles);
   const auto firstTiles = firstTilesOf(static_cast<std::uint32_t>(parts.size()), tiles);
-  JoinedLight light(bake.scene(), bake.settings(), std::move(level.surfaces),
+  JoinedLight light(bounces.scene(), bake.settings(), std::move(level.surfaces),
                     std::move(level.meshes));
   for (std::size_t k = 0; k < parts.size(); ++k) {
     const auto mistake = [k](std::string what) {

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "light/baking/baked_surface.h"
+#include "light/baking/bounces.h"
 #include "light/baking/mesh_light.h"
 #include "light/baking/sprite_light.h"
 #include "light/grid/texel_limits.h"
@@ -55,7 +56,7 @@ std::vector<std::uint32_t> meshesOf(const Level& level, const std::vector<std::u
 /// Bakes the texels of these surfaces, all of which can be lit, and `meshes`, the indices of those
 /// that `litMeshes` has.
 BakedLight bakeJobs(std::vector<SurfaceTexels> jobs, std::span<const std::uint32_t> meshes,
-                    LitSurfaces surfaces, std::vector<LitMesh> litMeshes, const Scene& scene,
+                    LitSurfaces surfaces, std::vector<LitMesh> litMeshes, const Scene& unbounced,
                     const BakeSettings& settings, int threads, BakeProgress* progress) {
   BakeProgress unwatched;
   BakeProgress& done = progress ? *progress : unwatched;
@@ -66,8 +67,11 @@ BakedLight bakeJobs(std::vector<SurfaceTexels> jobs, std::span<const std::uint32
   baked.meshes = std::move(litMeshes);
   baked.lightmaps.resize(baked.surfaces.size());
   baked.surfaceCosts.resize(baked.surfaces.size());
-  baked.lightCosts.resize(scene.level().lights.size());
-  const LightVisibilities visibilities(scene, settings);
+  const Bounces bounces(unbounced, settings, threads);
+  const Scene scene = bounces.scene();
+  baked.lightCosts.resize(scene.lights().size());
+  const LightVisibilities visibilities(scene, settings, LightVisibilities::Purpose::Bake,
+                                       [&] { return bounces.irradiance(); });
   const MeshLighter lighter(scene, visibilities, settings, threads, meshes, baked.meshes);
   done.begin(texelsOf(jobs) + lighter.texelsOf(meshes));
   std::mutex lightCostsMutex;
@@ -122,8 +126,6 @@ std::optional<std::string> mistakeInSettings(const Scene& scene, const BakeSetti
     if (const auto mistake = mistakeInSquare(settings.softSamples))
       return fmt::format("soft-samples: {}", *mistake);
   if (!(settings.cutOff >= 0)) return fmt::format("cut-off: {} is less than 0", settings.cutOff);
-  if (settings.bounces != 0)
-    return fmt::format("bounces: {} of them are not baked yet, use 0", settings.bounces);
   if (const auto mistake = mistakeInTexel(scene, settings.texel))
     return fmt::format("texel: {}", *mistake);
   return std::nullopt;

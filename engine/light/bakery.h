@@ -39,7 +39,8 @@ struct BakedLight {
   std::vector<std::optional<Lightmap>> lightmaps;  ///< by SurfaceId
   BakeStats stats;
   std::vector<SurfaceCost> surfaceCosts;  ///< by SurfaceId
-  std::vector<LightCost> lightCosts;      ///< in the order of the level's lights
+  std::vector<LightCost> lightCosts;      ///< in the order of the level's lights; then those of
+                                          ///< light that bounces
 };
 
 /// Counts the stats of lightmaps. The rays are those of `surfaceCosts`, and 0 without them.

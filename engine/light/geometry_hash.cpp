@@ -119,7 +119,7 @@ void addMesh(Hash& hash, const Level& level, const Mesh& mesh) {
 }
 
 std::vector<std::uint64_t> hashesOfShining(const Level& level, const AreaLights& lights) {
-  if (!lights.haveSurfaces()) return {};
+  if (!lights.haveEmitters()) return {};
   std::vector<Hash> hashes(level.sectors.size());
   for (const Surface& surface : level.surfaces)
     if (canShine(surface.kind))
@@ -130,9 +130,18 @@ std::vector<std::uint64_t> hashesOfShining(const Level& level, const AreaLights&
 }
 
 void addShining(Hash& hash, const Level& level, const AreaLights& lights, const Mesh& mesh) {
-  if (!lights.haveFaces()) return;
+  if (!lights.haveShiningFaces()) return;
   for (const MeshFace& face : level.facesOf(mesh))
     hash.addText(shiningName(level, lights, face.texture));
+}
+
+void addReflectances(Hash& hash, const Level& level) {
+  const auto add = [&](TextureId texture) {
+    if (texture.index() < level.reflectances.size())
+      hash.addPoint(level.reflectances[texture.index()]);
+  };
+  for (const Surface& surface : level.surfaces) add(surface.mapping.texture);
+  for (const MeshFace& face : level.meshFaces) add(face.texture);
 }
 
 void addHoles(Hash& hash, const TexelHoles& holes) {
@@ -151,7 +160,7 @@ void addHoles(Hash& hash, const TexelHoles& holes) {
 void addLight(Hash& hash, const LightSource& light, std::uint64_t sectorNumber) {
   // By name, so that no new member is forgotten.
   const auto& [position, sector, intensity, falloff, curve, color, radius, spot, sun, isSky,
-               texture] = light;
+               isBounced, texture] = light;
   hash.addPoint(position);
   hash.addWhole(light.hasPlace() ? sectorNumber : 0);
   for (const double number : {intensity, falloff, radius}) hash.addReal(number);
@@ -164,6 +173,7 @@ void addLight(Hash& hash, const LightSource& light, std::uint64_t sectorNumber) 
   if (sun)
     for (const double number : {sun->angle(), sun->pitch(), sun->size()}) hash.addReal(number);
   if (isSky) hash.addText("sky");
+  if (isBounced) hash.addText("bounced");
   if (light.isEmitter()) hash.addText("emitter " + texture);
 }
 

@@ -37,6 +37,9 @@ std::vector<std::uint64_t> hashesOfShining(const Level& level, const AreaLights&
 /// Adds which faces of a mesh shine, in the same way; nothing where none of the level can.
 void addShining(Hash& hash, const Level& level, const AreaLights& lights, const Mesh& mesh);
 
+/// Adds what each surface and face reflects.
+void addReflectances(Hash& hash, const Level& level);
+
 /// Adds which texels of a masked middle texture are holes; nothing where none is.
 void addHoles(Hash& hash, const TexelHoles& holes);
 

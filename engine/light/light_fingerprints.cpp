@@ -19,7 +19,7 @@ class Printer {
   Printer(const Scene& scene, const LitSurfaces& surfaces)
       : scene_(scene),
         surfaces_(surfaces),
-        areas_(scene.level()),
+        areas_(scene),
         shining_(hashesOfShining(scene.level(), areas_)) {
     for (const Sector& sector : scene.level().sectors) names_.push_back(hashOf(sector.name));
     for (const TexelHoles& texture : scene.level().holes) holes_.push_back(hashOf(texture));
@@ -35,7 +35,7 @@ class Printer {
     for (std::size_t i = 0; i < surfaces_.size(); ++i)
       prints.surfaces.push_back(printOf(SurfaceId(i)));
     prints.meshes = printsOfMeshes();
-    prints.lights = printsOfLights();
+    prints.lights = printsOfLights(prints);
     return prints;
   }
 
@@ -167,13 +167,18 @@ class Printer {
   }
 
   /// Areas are found together: where one is looked for closely, all are. So each has the prints of
-  /// all of them, and of the surfaces that are looked for.
-  std::vector<std::uint64_t> printsOfLights() const {
+  /// all of them, and of the surfaces that are looked for; of all parts where light bounces.
+  std::vector<std::uint64_t> printsOfLights(const LightFingerprints& parts) const {
     std::vector<std::uint64_t> prints;
-    for (const LightSource& light : scene_.level().lights) prints.push_back(printOf(light));
+    for (const LightSource& light : scene_.lights()) prints.push_back(printOf(light));
     Hash all;
     for (const std::size_t area : areas_.lights()) all.addWhole(prints[area]);
     SmallAreas(scene_, areas_).addTo(all);
+    if (areas_.bounced()) {
+      for (const auto& of : {prints, parts.sectors, parts.surfaces, parts.meshes})
+        for (const std::uint64_t print : of) all.addWhole(print);
+      addReflectances(all, scene_.level());
+    }
     for (const std::size_t area : areas_.lights()) {
       Hash hash = all;
       hash.addWhole(prints[area]);

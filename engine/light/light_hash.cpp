@@ -26,12 +26,13 @@ std::uint64_t lightHash(const Scene& scene, const BakeSettings& settings) {
   Hash hash;
   hash.addWhole(geometryHash(scene, settings.texel));
   const Level& level = scene.level();
-  const AreaLights areas(level);
+  const AreaLights areas(scene);
   for (const std::uint64_t shining : hashesOfShining(level, areas)) hash.addWhole(shining);
   for (const Mesh& mesh : level.meshes) addShining(hash, level, areas, mesh);
   hash.addWhole(level.lights.size());
   for (const LightSource& light : level.lights) addLight(hash, light, light.sector.value);
   add(hash, settings);
+  if (settings.bounces > 0) addReflectances(hash, level);
   return hash.value();
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "light/baking/baked_surface.h"
+#include "light/baking/bounces.h"
 #include "light/baking/light_dependencies.h"
 #include "light/baking/light_visibility.h"
 #include "light/baking/lightmap_builder.h"
@@ -86,11 +87,14 @@ class Rebake::Baker {
   void remember(std::span<const std::shared_ptr<const Surface>> surfaces,
                 std::span<const std::shared_ptr<const Mesh>> meshes);
   std::optional<Lightmap> draftOf(SurfaceId id, const LightVisibilities& visibilities) const;
+  /// Without light that bounces, which a draft leaves out.
+  Scene unbounced() const { return {scene_.level(), scene_.geometry()}; }
   void draftMeshes(const LightVisibilities& visibilities, const BakeSettings& settings,
                    BakedLight& baked) const;
 
   LightMemory::Kept& memory_;
-  Scene scene_;
+  Bounces bounces_;
+  Scene scene_;  ///< with light that bounces
   BakeSettings settings_;
   int threads_;
   std::shared_ptr<const LitSurfaces> made_;
@@ -137,16 +141,18 @@ std::optional<BakedLight> Rebake::finish(BakeProgress* progress, const std::stop
 Rebake::Baker::Baker(LightMemory::Kept& memory, const Scene& scene, const BakeSettings& settings,
                      int threads)
     : memory_(memory),
-      scene_(scene),
+      bounces_(scene, settings, threads),
+      scene_(bounces_.scene()),
       settings_(settings),
       threads_(threads),
       made_(memory.surfacesOf(scene, settings.texel)),
       surfaces_(*made_),
-      prints_(lightFingerprints(scene, surfaces_)),
-      visibilities_(scene, settings),
+      prints_(lightFingerprints(scene_, surfaces_)),
+      visibilities_(scene_, settings, LightVisibilities::Purpose::Bake,
+                    [this] { return bounces_.irradiance(); }),
       plans_(surfaces_.size()),
       meshes_(makeLitMeshes(scene.level(), settings.texel, threads)),
-      lighter_(scene, visibilities_, settings_, threads, allOf(meshes_), meshes_) {
+      lighter_(scene_, visibilities_, settings_, threads, allOf(meshes_), meshes_) {
   if (memory.settings != settings) memory.clear();
   memory.settings = settings;
   findNumbers();
@@ -307,7 +313,7 @@ std::shared_ptr<const LightMemory::Kept::Surface> Rebake::Baker::lit(
 
 TexelSums Rebake::Baker::sumsFor(SurfaceId id) const {
   const bool isColored = std::ranges::any_of(plans_[id.index()].facing, [this](std::size_t light) {
-    return scene_.level().lights[light].isColored();
+    return scene_.lights()[light].isColored();
   });
   return {surfaces_[id.index()]->texels, isColored ? 3 : 1};
 }
@@ -325,7 +331,7 @@ void Rebake::Baker::findLeft(SurfaceId id, const UsedTexels& texels, Surface& fo
     left = left.subspan(lights.size());
     std::map<std::size_t, TexelSums> sums;
     for (const std::size_t light : lights)
-      sums.try_emplace(light, texels.rect(), scene_.level().lights[light].isColored() ? 3 : 1);
+      sums.try_emplace(light, texels.rect(), scene_.lights()[light].isColored() ? 3 : 1);
     addLights(
         surface, texels, lights, settings_,
         [&](std::size_t light) -> TexelSums& { return sums.at(light); }, progress, stop);
@@ -387,7 +393,7 @@ BakedLight Rebake::Baker::collect(std::span<const std::shared_ptr<const Surface>
   baked.surfaces = surfaces_;
   baked.lightmaps.resize(lit.size());
   baked.surfaceCosts.resize(lit.size());
-  baked.lightCosts.resize(scene_.level().lights.size());
+  baked.lightCosts.resize(scene_.lights().size());
   for (std::size_t i = 0; i < lit.size(); ++i) {
     if (!lit[i]) continue;
     const std::vector<std::size_t>& facing = plans_[i].facing;
@@ -421,7 +427,7 @@ void Rebake::Baker::remember(std::span<const std::shared_ptr<const Surface>> sur
 BakedLight Rebake::Baker::draft() const {
   BakeSettings points = settings_;
   points.softSamples = 0;
-  const LightVisibilities visibilities(scene_, points, LightVisibilities::Purpose::Draft);
+  const LightVisibilities visibilities(unbounced(), points, LightVisibilities::Purpose::Draft);
   BakedLight baked;
   baked.surfaces = surfaces_;
   baked.lightmaps.resize(surfaces_.size());
@@ -429,7 +435,7 @@ BakedLight Rebake::Baker::draft() const {
   parallelFor(order.size(), threads_, [&](std::size_t job) {
     baked.lightmaps[order[job]] = draftOf(SurfaceId(order[job]), visibilities);
   });
-  lightSprites(scene_, visibilities, threads_, baked);
+  lightSprites(unbounced(), visibilities, threads_, baked);
   draftMeshes(visibilities, points, baked);
   baked.stats = statsOf(baked);
   return baked;
@@ -440,7 +446,7 @@ void Rebake::Baker::draftMeshes(const LightVisibilities& visibilities, const Bak
   baked.meshes = meshes_;
   for (std::uint32_t i = 0; i < meshes_.size(); ++i)
     if (knownMeshes_[i]) lighter_.add(i, knownMeshes_[i]->light, baked);
-  const MeshLighter lighter(scene_, visibilities, settings, threads_, meshesLeft_, meshes_);
+  const MeshLighter lighter(unbounced(), visibilities, settings, threads_, meshesLeft_, meshes_);
   BakeProgress unwatched;
   auto found = lighter.find(meshesLeft_, unwatched);
   for (std::size_t i = 0; i < found.size(); ++i)
@@ -455,9 +461,11 @@ std::optional<Lightmap> Rebake::Baker::draftOf(SurfaceId id,
   TexelSums sums = sumsFor(id);
   for (const auto& contribution : plan.known)
     if (contribution) sums.add(contribution->sums);
-  if (!plan.left.empty()) {
-    SurfaceLight surface(scene_, surfaces_, visibilities, settings_.lambert, id);
-    addLightsDraft(surface, plan.left, settings_, [&](std::size_t) -> TexelSums& { return sums; });
+  std::vector<std::size_t> left = plan.left;
+  std::erase_if(left, [this](std::size_t light) { return scene_.lights()[light].isBounced; });
+  if (!left.empty()) {
+    SurfaceLight surface(unbounced(), surfaces_, visibilities, settings_.lambert, id);
+    addLightsDraft(surface, left, settings_, [&](std::size_t) -> TexelSums& { return sums; });
   }
   return sums.toLightmap(settings_.samples.value_or(1));
 }

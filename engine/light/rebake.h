@@ -56,7 +56,8 @@ class Rebake {
   /// Texels of surfaces and meshes, counted once for each light, that `finish` will bake.
   std::int64_t texelLightsLeft() const;
 
-  /// A quick preview: what is left gets one sample for 4 x 4 texels, and balls are points.
+  /// A quick preview: what is left gets one sample for 4 x 4 texels, balls are points, and no light
+  /// bounces but what is known.
   BakedLight draft() const;
 
   /// None if `stop` was requested; the memory keeps what is done so far. Call it once. `progress`,

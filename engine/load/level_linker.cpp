@@ -124,6 +124,7 @@ std::optional<LinkedLevel> LevelLinker::link(const LevelDescription& description
   if (saysNothingOfLight(description, lights)) lightFully(linking);
 
   linking.level.holes = holesOfMaskedMiddles(linking.scene(), all);
+  for (const Image& image : all) linking.level.reflectances.push_back(reflectanceOf(image));
   linked.level = std::move(linking.level);
   linked.geometry = std::move(linking.geometry);
   linked.outlines = std::move(linking.outlines);

@@ -347,6 +347,23 @@ void sizeSprites(Level& level, const std::vector<Image>& images) {
       }
 }
 
+Vec3 reflectanceOf(const Image& image) {
+  std::array<std::uint64_t, 3> sums{};
+  std::uint64_t count = 0;
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x) {
+      if (image.isHole(x, y)) continue;
+      const Rgb pixel = image.at(x, y);
+      sums[0] += pixel.r;
+      sums[1] += pixel.g;
+      sums[2] += pixel.b;
+      ++count;
+    }
+  const double full = 255.0 * static_cast<double>(std::max<std::uint64_t>(count, 1));
+  const auto mean = [&](std::size_t channel) { return static_cast<double>(sums[channel]) / full; };
+  return {mean(0), mean(1), mean(2)};
+}
+
 std::vector<TexelHoles> holesOfMaskedMiddles(const Scene& scene, const std::vector<Image>& images) {
   std::vector<TexelHoles> holes(images.size());
   for (const SurfaceId id : surfacesToShow(scene)) {

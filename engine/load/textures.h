@@ -76,4 +76,8 @@ void sizeSprites(Level& level, const std::vector<Image>& images);
 /// By TextureId: the holes of images of masked middle textures; none for the others.
 std::vector<TexelHoles> holesOfMaskedMiddles(const Scene& scene, const std::vector<Image>& images);
 
+/// How much of red, green and blue light an image reflects: the means of its pixels that are no
+/// holes, 0..1.
+Vec3 reflectanceOf(const Image& image);
+
 }  // namespace hearth

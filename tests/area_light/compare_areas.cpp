@@ -34,8 +34,22 @@ void addEmitters(Level& level) {
   }
 }
 
+/// Lit by points, which truth finds fast, whose light is added to that of areas.
+Level withBounces(Level level) {
+  for (LightSource& light : level.lights) light.radius = 0;
+  level.bake.bounces = 3;
+  level.bake.samples = 1;
+  return level;
+}
+
+BakeSettings withoutBounces(BakeSettings settings) {
+  settings.bounces = 0;
+  return settings;
+}
+
 /// Without lights that are no areas, and one sample to a texel: its middle.
 Level withAreasOnly(Level level, Areas areas) {
+  if (areas == Areas::Bounces) return withBounces(std::move(level));
   std::erase_if(level.lights, [&](const LightSource& light) {
     return areas == Areas::Emitters || !light.isArea();
   });
@@ -58,6 +72,7 @@ class Comparison {
         scene_(level_, geometry),
         name_(name),
         baked_(bake(scene_, level_.bake, 1)),
+        unbounced_(bake(scene_, withoutBounces(level_.bake), 1)),
         direct_(level_),
         gather_(level_, direct_),
         sectors_(sectorsOfMeshes(level_)),
@@ -83,10 +98,16 @@ class Comparison {
                        level_[sector].name, p.x, p.y, p.z);
   }
 
-  /// In the first channel, clamped as lightmaps are.
-  void add(SurfaceKind kind, double baked, const TruthGather::Estimate& truth,
-           const std::string& at) {
-    tally_.add(kind, baked, std::min(255.0, truth.light.sum().x), truth.standardError.sum().x, at);
+  /// In the first channel: all light, clamped as lightmaps are, or what bounces has added to what
+  /// is not clamped. `lightOf` tells the light of a bake there.
+  template <typename LightOf, typename Place>
+  void add(SurfaceKind kind, LightOf&& lightOf, const Place& place, const std::string& at) {
+    const double baked = lightOf(baked_);
+    const auto [light, error] = gather_.at(place, kEffort);
+    if (level_.bake.bounces == 0)
+      return tally_.add(kind, baked, std::min(255.0, light.sum().x), error.sum().x, at);
+    if (baked < 255)
+      tally_.add(kind, baked - lightOf(unbounced_), light.bounced.x, error.bounced.x, at);
   }
 
   void compareSurface(SurfaceId id) {
@@ -98,12 +119,15 @@ class Comparison {
       const SamplePoint at = places.place({i + 0.5, j + 0.5});
       if (at.isMoved || places.isLeftOut(at) || !lit.outline.contains({i + 0.5, j + 0.5})) continue;
       const Surface& there = level_[at.surface];
-      const auto truth = gather_.at(SurfacePoint{there.kind, there.sector, there.segment, at.target,
-                                                 baked_.surfaces[at.surface.index()]->normal},
-                                    kEffort);
-      const std::optional<Lightmap>& map = baked_.lightmaps[id.index()];
-      add(level_[id].kind, map ? map->at(i, j) : 0, truth,
-          placeOf(level_[id].kind, there.sector, at.point));
+      const SurfacePoint place{there.kind, there.sector, there.segment, at.target,
+                               baked_.surfaces[at.surface.index()]->normal};
+      add(
+          level_[id].kind,
+          [&](const BakedLight& baked) {
+            const std::optional<Lightmap>& map = baked.lightmaps[id.index()];
+            return map ? map->at(i, j) : 0;
+          },
+          place, placeOf(level_[id].kind, there.sector, at.point));
     }
   }
 
@@ -126,9 +150,9 @@ class Comparison {
     const SamplePoint at = PatchPlaces(scene_, sectors_[index], alone).place({i + 0.5, j + 0.5});
     if (at.isMoved) return;
     const TexelRect& rect = patch.surface.texels;
-    const std::optional<Lightmap>& map = baked_.lightmaps[mesh.surface.index()];
-    compareFace(index, face, at.point,
-                map ? map->at(patch.i + i - rect.i0, patch.j + j - rect.j0) : 0);
+    compareFace(index, face, at.point, [&](const Lightmap& map) {
+      return map.at(patch.i + i - rect.i0, patch.j + j - rect.j0);
+    });
   }
 
   /// In its middle, if light is found at all of its corners.
@@ -140,11 +164,12 @@ class Comparison {
     const auto& [a, b, c] = its.corners;
     const Vec3 middle = (1 / 3.0) * (a + b + c);
     const Vec2 at = placeOn(baked_.meshes[index], face, its, middle);
-    const std::optional<Lightmap>& map = baked_.lightmaps[mesh.surface.index()];
-    compareFace(index, mesh.firstFace + face, middle, map ? map->sample(at.x, at.y) : 0);
+    compareFace(index, mesh.firstFace + face, middle,
+                [&](const Lightmap& map) { return map.sample(at.x, at.y); });
   }
 
-  void compareFace(std::uint32_t index, std::uint32_t face, Vec3 p, double found) {
+  template <typename LightOf>
+  void compareFace(std::uint32_t index, std::uint32_t face, Vec3 p, LightOf&& lightOf) {
     if (!isInAir(scene_, sectors_[index], p)) return;
     const Mesh& mesh = level_.meshes[index];
     const Vec3 front = frontOf(level_.meshFaces[face]);
@@ -152,22 +177,32 @@ class Comparison {
                        (1 / length(front)) * front};
     place.mesh = mesh.surface;
     place.face = face;
-    add(SurfaceKind::Mesh, found, gather_.at(place, kEffort),
-        placeOf(SurfaceKind::Mesh, mesh.sector, p));
+    add(
+        SurfaceKind::Mesh,
+        [&](const BakedLight& baked) -> double {
+          const std::optional<Lightmap>& map = baked.lightmaps[mesh.surface.index()];
+          return map ? lightOf(*map) : 0;
+        },
+        place, placeOf(SurfaceKind::Mesh, mesh.sector, p));
   }
 
   void compareSprite(const Sprite& sprite) {
     const Vec3 p = lightPointOf(scene_, sprite);
-    const std::optional<Lightmap>& map = baked_.lightmaps[sprite.surface.index()];
     const SurfaceKind kind = level_[sprite.surface].kind;
-    add(kind, map ? map->at(0, 0) : 0, gather_.at(AirPoint{p, sprite.sector}, kEffort),
-        placeOf(kind, sprite.sector, p));
+    add(
+        kind,
+        [&](const BakedLight& baked) {
+          const std::optional<Lightmap>& map = baked.lightmaps[sprite.surface.index()];
+          return map ? map->at(0, 0) : 0;
+        },
+        AirPoint{p, sprite.sector}, placeOf(kind, sprite.sector, p));
   }
 
   Level level_;
   Scene scene_;
   std::string name_;
   BakedLight baked_;
+  BakedLight unbounced_;
   TruthLight direct_;
   TruthGather gather_;
   std::vector<std::vector<SectorId>> sectors_;  ///< by mesh

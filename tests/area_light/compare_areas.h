@@ -11,8 +11,9 @@ namespace hearth::area_light {
 
 /// Which areas shine in a comparison.
 enum class Areas {
-  Sky,      ///< that of the level, if it has one
-  Emitters  ///< surfaces that wear every other texture
+  Sky,       ///< that of the level, if it has one
+  Emitters,  ///< surfaces that wear every other texture
+  Bounces  ///< what surfaces reflect, three times, of points of light and of a sky if there is one
 };
 
 /// Bakes a level with the light of areas alone, and holds texels of each surface, points of

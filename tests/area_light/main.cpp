@@ -52,15 +52,17 @@ int main(int argc, char** argv) {
   std::uint64_t count = 2000;
   std::uint64_t firstSeed = 1;
   bool haveEmitters = false;
+  bool haveBounces = false;
   int threads = hearth::availableThreads();
   app.add_option("LEVEL", files, "level files; default: random levels");
   app.add_option("--levels", count, "random levels")->capture_default_str();
   app.add_option("--seed", firstSeed, "seed of the first")->capture_default_str();
   app.add_flag("--emitters", haveEmitters, "surfaces shine instead of the sky");
+  app.add_flag("--bounces", haveBounces, "light of all lights bounces");
   app.add_option("--threads", threads, "random levels compared at a time")->capture_default_str();
   CLI11_PARSE(app, argc, argv);
 
-  const Areas areas = haveEmitters ? Areas::Emitters : Areas::Sky;
+  const Areas areas = haveBounces ? Areas::Bounces : haveEmitters ? Areas::Emitters : Areas::Sky;
   const AreaTally tally = files.empty() ? compareRandomLevels(count, firstSeed, areas, threads)
                                         : compareFiles(files, areas);
   fmt::print("{}", hearth::area_light::table(tally));

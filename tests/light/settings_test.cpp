@@ -39,10 +39,6 @@ TEST(BakeSettings, takeCutOffsFromNothingOn) {
     EXPECT_TRUE(mistakeIn({.cutOff = wrong}).starts_with("cut-off: ")) << wrong;
 }
 
-TEST(BakeSettings, takeNoBounces) {
-  EXPECT_TRUE(mistakeIn({.bounces = 1}).starts_with("bounces: 1 "));
-}
-
 TEST(BakeSettings, takeTexelsThatFitTheMemory) {
   EXPECT_EQ(mistakeIn({.texel = 0.01}), "");
   for (const double wrong : {0.0, -1.0, 1e-9, std::numeric_limits<double>::infinity()})

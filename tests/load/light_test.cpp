@@ -42,7 +42,7 @@ TEST(Light, readsEveryKey) {
                   "{'version': 1, 'lights': [{'x': 1, 'y': 2, 'z': 3, 'sector': 'a', 'color': "
                   "'#0180fF', 'radius': 0.25, 'curve': [[0, 300], [2, 100], [2, 50]]}, {'x': 1, "
                   "'y': 1, 'z': 1, 'intensity': 1e38, 'falloff': 2}], 'bake': {'texel': 0.5, "
-                  "'samples': 16, 'lambert': true, 'bounces': 3}}")
+                  "'samples': 16, 'lambert': true, 'bounces': 3, 'reflectance': 0.8}}")
           .level;
   ASSERT_EQ(level.lights.size(), 2U);
   EXPECT_EQ(level.lights[0].color[0], 1);
@@ -57,6 +57,7 @@ TEST(Light, readsEveryKey) {
   EXPECT_EQ(level.bake.samples, 16);
   EXPECT_TRUE(level.bake.lambert);
   EXPECT_EQ(level.bake.bounces, 3);
+  EXPECT_EQ(level.bake.reflectance, 0.8);
 }
 
 TEST(Light, isAddedBySectorsThenByTheLevelThenNotAtAll) {

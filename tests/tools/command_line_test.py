@@ -198,7 +198,7 @@ class Mistakes(InFolder):
                 (("--samples", "some"), "--samples.*no number"),
                 (("--soft-samples", "60"), "--soft-samples.*square.* 64"),
                 (("--cut-off", "-1"), "--cut-off.*outside"),
-                (("--bounces", "1"), "--bounces"),
+                (("--bounces", "17"), "--bounces.*0..16"),
                 (("--threads", "0"), "--threads"),
                 (("--light", "some"), "--light.*both.none.only"),
                 (("--channel", "heat"), "--channel"),
@@ -229,16 +229,6 @@ class Mistakes(InFolder):
             "loops": {"border": {"v": [9e6, 0, 9e6 + 1, 0, 9e6 + 1, 1, 9e6, 1],
                                  "walls": {"texture": "#808080"}}}}}}))
         self.refuse(run("info", far, "--texel", "0.008"), "--texel.*from the origin")
-
-    def test_bounces_in_a_lights_file_that_no_command_bakes(self):
-        level = self.folder / "bounces.json"
-        level.write_text(json.dumps({"light": 1, "sectors": {"room": {
-            "floor": {"texture": "#808080"}, "ceiling": {"texture": "#808080"},
-            "loops": {"border": {"v": [0, 0, 4, 0, 4, 4, 0, 4], "walls": {"texture": "#808080"}}}}}}))
-        level.with_suffix(".lights.json").write_text(json.dumps({"bake": {"bounces": 1}, "lights": []}))
-        for command in ["bake", "bench", "info"]:
-            with self.subTest(command=command):
-                self.refuse(run(command, level), "--bounces: 1 ")
 
     def test_a_picture_that_cannot_be_written(self):
         self.refuse(self.shot(out=self.folder / "missing" / "out.png"), "missing/out.png")

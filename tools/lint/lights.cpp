@@ -47,7 +47,9 @@ std::vector<std::size_t> unseenOf(const Scene& scene, const std::vector<std::siz
   Level only = scene.level();
   only.lights.clear();
   for (const std::size_t light : lights) only.lights.push_back(scene.level().lights[light]);
-  const BakedLight baked = bake({only, scene.geometry()}, settings, threads);
+  BakeSettings direct = settings;
+  direct.bounces = 0;
+  const BakedLight baked = bake({only, scene.geometry()}, direct, threads);
   std::vector<std::size_t> unseen;
   for (std::size_t i = 0; i < lights.size(); ++i)
     if (baked.lightCosts[i].seenSamples == 0) unseen.push_back(lights[i]);
@@ -159,7 +161,7 @@ class BlackFinder {
       : linted_(linted),
         level_(linted.level()),
         light_(light),
-        areas_(linted.level()),
+        areas_(linted.scene()),
         findings_(findings) {}
 
   void look() {

@@ -137,7 +137,7 @@ constexpr std::array kTable = {
               "leave a light out from where on it has no more than so many levels"},
     OptionRow{Option::MiddleShadows, "--middle-shadows", ValueKind::Choice, "holes|solid", 0, 0,
               "holes", "of what hangs in openings: with its holes, or as if it had none"},
-    OptionRow{Option::Bounces, "--bounces", ValueKind::Integer, "COUNT", 0, 0, "0",
+    OptionRow{Option::Bounces, "--bounces", ValueKind::Integer, "COUNT", 0, 16, "0",
               "reflections of light that are followed"},
     OptionRow{Option::Lambert, "--lambert", ValueKind::Flag, "", 0, 0, "",
               "multiply light by the cosine at the surface"},

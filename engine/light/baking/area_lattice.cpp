@@ -1,13 +1,32 @@
 #include "light/baking/area_lattice.h"
 
+#include "math/check.h"
+
 namespace hearth {
 
-/// How far the fractions may be off: as much as makes a level.
-std::vector<double> AreaLattice::tolerancesOf(const Level& level,
-                                              std::span<const std::size_t> lights) {
-  constexpr double kTolerance = 1;  // level
+AreaLattice::Cells AreaLattice::cellsFor(LightVisibilities::Purpose purpose) {
+  // Texels along the sides of cells: a metre of texels as large as they are by default.
+  constexpr int kSide = 8;
+  switch (purpose) {
+    case LightVisibilities::Purpose::Bake:
+      return {kSide, 1, LightLattice::Parts::AsNeeded};
+    case LightVisibilities::Purpose::Source:
+      return {2 * kSide, 4, LightLattice::Parts::AsNeeded};
+    case LightVisibilities::Purpose::Draft:
+      return {kSide, 1, LightLattice::Parts::None};
+  }
+  CHECK(false, static_cast<int>(purpose));
+}
+
+/// How far the fractions may be off: by what makes so many levels, or twice as many of light that
+/// bounces, which has more of them.
+std::vector<double> AreaLattice::tolerancesOf(const Scene& scene,
+                                              std::span<const std::size_t> lights, double levels) {
   std::vector<double> tolerances;
-  for (const std::size_t i : lights) tolerances.push_back(fractionFor(kTolerance, level.lights[i]));
+  for (const std::size_t i : lights) {
+    const LightSource& light = scene.lights()[i];
+    tolerances.push_back(fractionFor(light.isBounced ? 2 * levels : levels, light));
+  }
   return tolerances;
 }
 

@@ -32,8 +32,9 @@ class AreaLattice {
               FindAt findAt)
       : surface_(places.surface()),
         areas_(visibilities.areas()),
-        lattice_(surface_.texels, kCell, tolerancesOf(scene.level(), areas_.lights()),
-                 visibilities.isDraft() ? LightLattice::Parts::None : LightLattice::Parts::AsNeeded,
+        cells_(cellsFor(visibilities.purpose())),
+        lattice_(surface_.texels, cells_.side, tolerancesOf(scene, areas_.lights(), cells_.levels),
+                 cells_.parts,
                  [this, &places, find = std::move(findAt)](Vec2 p, std::span<double> fractions) {
                    const SamplePoint at = places.place(p);
                    return !(places.mayLeaveOut() && places.isLeftOut(at)) &&
@@ -49,12 +50,20 @@ class AreaLattice {
   const SectorSet& met() const { return met_; }
 
  private:
-  /// Texels along the sides of cells: a metre of texels as large as they are by default.
-  static constexpr int kCell = 8;
-  static std::vector<double> tolerancesOf(const Level& level, std::span<const std::size_t> lights);
+  /// Of the lattice.
+  struct Cells {
+    int side;       ///< texels, of those that nothing divides
+    double levels;  ///< by which interpolation may be off
+    LightLattice::Parts parts;
+  };
+
+  static Cells cellsFor(LightVisibilities::Purpose purpose);
+  static std::vector<double> tolerancesOf(const Scene& scene, std::span<const std::size_t> lights,
+                                          double levels);
 
   const LitSurface& surface_;
   AreaVisibility areas_;
+  Cells cells_;
   std::int64_t slices_ = 0;  ///< that are not counted yet
   SectorSet met_;
   LightLattice lattice_;

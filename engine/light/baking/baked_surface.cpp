@@ -159,23 +159,6 @@ std::vector<SamplePoint> placedSamples(const Places& places, const UsedTexels& t
   return samples;
 }
 
-/// Used texels that take the light of others because none of their samples counts.
-template <typename Places>
-EmptyTexels emptyTexelsOf(const Places& places, const UsedTexels& texels,
-                          const BakeSettings& settings) {
-  EmptyTexels empty(texels);
-  if (!places.mayLeaveOut()) return empty;
-  for (const TexelRect& tile : tilesOf(texels)) {
-    if (!settings.samples) {
-      addEmptyOfCorners(places, texels, tile, empty);
-      continue;
-    }
-    const int side = samplesAlong(settings);
-    addEmpty(tile, side, texels, LeftOut(places, placedSamples(places, texels, tile, side)), empty);
-  }
-  return empty;
-}
-
 }  // namespace
 
 std::vector<TexelRect> tilesOf(const TexelRect& all, int side) {
@@ -250,6 +233,25 @@ TexelRect texelsToBake(const SurfaceTexels& wanted, const Scene& scene,
   return mayHaveSamplesInMeshes(scene, surfaces, wanted.surface) ? all
                                                                  : intersection(wanted.texels, all);
 }
+
+template <typename Places>
+EmptyTexels emptyTexelsOf(const Places& places, const UsedTexels& texels,
+                          const BakeSettings& settings) {
+  EmptyTexels empty(texels);
+  if (!places.mayLeaveOut()) return empty;
+  for (const TexelRect& tile : tilesOf(texels)) {
+    if (!settings.samples) {
+      addEmptyOfCorners(places, texels, tile, empty);
+      continue;
+    }
+    const int side = samplesAlong(settings);
+    addEmpty(tile, side, texels, LeftOut(places, placedSamples(places, texels, tile, side)), empty);
+  }
+  return empty;
+}
+
+template EmptyTexels emptyTexelsOf(const SurfacePlaces&, const UsedTexels&, const BakeSettings&);
+template EmptyTexels emptyTexelsOf(const PatchPlaces&, const UsedTexels&, const BakeSettings&);
 
 template <typename Places>
 std::optional<Lightmap> finishedLightmap(const Places& places, LightmapBuilder map,

@@ -57,8 +57,13 @@ std::optional<Lightmap> bakeSurface(Lit& surface, const TexelRect& rect,
 template <typename Lit>
 TexelSums sumsOfTile(Lit& surface, const TexelRect& tile, const BakeSettings& settings);
 
-/// The lightmap of a surface to which the sums of all lights in all texels are added. `Places` is
-/// SurfacePlaces or PatchPlaces.
+/// Used texels that take the light of others because none of their samples counts. `Places` here
+/// and below is SurfacePlaces or PatchPlaces.
+template <typename Places>
+EmptyTexels emptyTexelsOf(const Places& places, const UsedTexels& texels,
+                          const BakeSettings& settings);
+
+/// The lightmap of a surface to which the sums of all lights in all texels are added.
 template <typename Places>
 std::optional<Lightmap> finishedLightmap(const Places& places, LightmapBuilder map,
                                          const BakeSettings& settings);

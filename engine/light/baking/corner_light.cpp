@@ -35,7 +35,7 @@ CornerLight::CornerLight(const Scene& scene, const LightVisibilities& visibiliti
       lambert_(lambert),
       place_(place),
       areas_(visibilities.areas()),
-      costs_(scene.level().lights.size()) {}
+      costs_(scene.lights().size()) {}
 
 void CornerLight::placeCorners(std::span<const LitMesh::SmallFace> faces) {
   corners_.clear();
@@ -65,7 +65,7 @@ TexelSums CornerLight::find(std::span<const LitMesh::SmallFace> faces) {
 
 void CornerLight::add(std::size_t index, std::span<const LitMesh::SmallFace> faces,
                       TexelSums& sums) {
-  const LightSource& light = scene_.level().lights[index];
+  const LightSource& light = scene_.lights()[index];
   if (light.isArea()) return addArea(index, faces, sums);
   seen_.assign(corners_.size(), kUnknown);
   for (std::size_t i = 0; i < faces.size(); ++i) {
@@ -87,7 +87,7 @@ void CornerLight::add(std::size_t index, std::span<const LitMesh::SmallFace> fac
 void CornerLight::addArea(std::size_t index, std::span<const LitMesh::SmallFace> faces,
                           TexelSums& sums) {
   if (ofAreas_.empty()) findAreas(faces, costs_[index].rays);
-  const LightSource& light = scene_.level().lights[index];
+  const LightSource& light = scene_.lights()[index];
   const double brightness =
       unshadowedBrightness(light, visibilities_.reach.metres(index), {}, {}, lambert_);
   const std::size_t count = areas_.lights().size();
@@ -129,7 +129,7 @@ void CornerLight::findAreas(std::span<const LitMesh::SmallFace> faces, std::int6
 /// Of a light: as much of it as is in front of the face, by the face's unit normal.
 double CornerLight::fractionInFront(std::size_t index, const MeshFace& face, Vec3 normal) const {
   if (const SunVisibility* sun = visibilities_.sun(index)) return sun->fractionInFront(normal);
-  const LightSource& light = scene_.level().lights[index];
+  const LightSource& light = scene_.lights()[index];
   return fractionOfBall(dot(normal, light.position - face.corners[0]),
                         visibilities_.reach.radius(index));
 }

@@ -48,6 +48,12 @@ class EmptyTexels {
 
   void add(int i, int j) { texels_.push_back({i, j}); }
 
+  /// Calls `visit(i, j)` for each.
+  template <typename Visit>
+  void forEach(Visit&& visit) const {
+    for (const auto& [i, j] : texels_) visit(i, j);
+  }
+
   /// Gives each the light of the nearest used texel that has a sample; dark where none is. The
   /// lightmap keeps all its texels.
   void fill(Lightmap& map) const;

@@ -10,7 +10,7 @@ namespace hearth {
 namespace {
 
 /// What each light reaches, and a little more, so that no rounding leaves out anything.
-std::vector<Box> boxesOnMap(const std::vector<LightSource>& lights, double cutOff) {
+std::vector<Box> boxesOnMap(std::span<const LightSource> lights, double cutOff) {
   constexpr double kEverywhere = 1e15;  // metres; in place of an endless reach
   std::vector<Box> boxes;
   for (const LightSource& light : lights) {
@@ -24,9 +24,9 @@ std::vector<Box> boxesOnMap(const std::vector<LightSource>& lights, double cutOf
 
 }  // namespace
 
-LightReach::LightReach(const Level& level, const BakeSettings& settings)
-    : onMap_(boxesOnMap(level.lights, settings.cutOff)) {
-  for (const LightSource& light : level.lights) {
+LightReach::LightReach(std::span<const LightSource> lights, const BakeSettings& settings)
+    : onMap_(boxesOnMap(lights, settings.cutOff)) {
+  for (const LightSource& light : lights) {
     metres_.push_back(light.reach(settings.cutOff));
     radii_.push_back(settings.softSamples == 0 || !light.hasPlace() ? 0 : light.radius);
     areSoft_.push_back(radii_.back() > 0 || light.isArea() ||

@@ -12,11 +12,11 @@
 
 namespace hearth {
 
-/// Where the lights of a level are, and how far they reach: suns and the sky everywhere. Lights are
+/// Where lights are, and how far they reach: suns and the sky everywhere. Lights are
 /// indices.
 class LightReach {
  public:
-  LightReach(const Level& level, const BakeSettings& settings);
+  LightReach(std::span<const LightSource> lights, const BakeSettings& settings);
 
   std::size_t lights() const { return metres_.size(); }
   /// Metres beyond which a light is left out, see LightSource::reach.

@@ -359,22 +359,31 @@ void LightVisibility::prefetchBeams() const {
 }
 
 LightVisibilities::LightVisibilities(const Scene& scene, const BakeSettings& settings,
-                                     Purpose purpose)
-    : LightVisibilities(scene, settings, LightReach(scene.level(), settings), {}, purpose) {}
+                                     Purpose purpose, IrradianceSource irradiance)
+    : LightVisibilities(scene, settings, LightReach(scene.lights(), settings), {}, purpose,
+                        std::move(irradiance)) {}
 
 LightVisibilities::LightVisibilities(const Scene& scene, const BakeSettings& settings,
                                      const LightReach& itsReach, std::vector<Box> regions,
-                                     Purpose purpose)
+                                     Purpose purpose, IrradianceSource irradiance)
     : reach(itsReach),
       scene_(scene),
       settings_(settings),
       regions_(std::move(regions)),
       purpose_(purpose),
+      irradiance_(std::move(irradiance)),
       areas_(scene, settings.solidMaskedMiddles),
       lights_(reach.lights()) {}
 
+AreaVisibility LightVisibilities::areas() const {
+  AreaVisibility areas = areas_;
+  if (const Irradiance* irradiance = irradiance_ ? irradiance_() : nullptr)
+    areas.setIrradiance(*irradiance);
+  return areas;
+}
+
 std::vector<SectorId> LightVisibilities::sectorsOf(std::size_t light) const {
-  if (!scene_.level().lights[light].hasPlace()) return {};
+  if (!scene_.lights()[light].hasPlace()) return {};
   SectorSet sectors;
   for (const LightVisibility* visibility : {&fine(light), &rough(light)})
     for (const SectorId sector : visibility->sectors()) sectors.add(sector);
@@ -387,7 +396,7 @@ void LightVisibilities::makeReady(std::size_t index) const {
   constexpr std::size_t kMaxBytesOfBeams = std::size_t{256} << 20;
   Light& light = lights_[index];
   std::call_once(light.once, [&] {
-    const LightSource& source = scene_.level().lights[index];
+    const LightSource& source = scene_.lights()[index];
     const int roughSamples = (settings_.softSamples + 3) / 4;
     if (source.sun) {
       const auto of = [&](int softSamples) {

@@ -3,6 +3,7 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -125,13 +126,17 @@ class LightVisibility {
 /// of a bake need few of them. Any thread may ask.
 class LightVisibilities {
  public:
-  /// For a draft the light of areas is found at few places.
-  enum class Purpose { Bake, Draft };
+  /// For a draft the light of areas is found at few places, as a source of light that bounces at
+  /// fewer than for a bake.
+  enum class Purpose { Bake, Source, Draft };
+  /// Tells what light bounces; it is asked once that light is.
+  using IrradianceSource = std::function<const Irradiance*()>;
   LightVisibilities(const Scene& scene, const BakeSettings& settings,
-                    Purpose purpose = Purpose::Bake);
+                    Purpose purpose = Purpose::Bake, IrradianceSource irradiance = {});
   /// Finds only beams to points of these parts of the map, one for each light, which may be empty.
   LightVisibilities(const Scene& scene, const BakeSettings& settings, const LightReach& itsReach,
-                    std::vector<Box> regions, Purpose purpose = Purpose::Bake);
+                    std::vector<Box> regions, Purpose purpose = Purpose::Bake,
+                    IrradianceSource irradiance = {});
 
   const LightReach reach;
   const LightVisibility& fine(std::size_t light) const { return *ready(light).fine; }
@@ -142,15 +147,15 @@ class LightVisibilities {
   }
   /// Null for what is no sun.
   const SunVisibility* sun(std::size_t light) const {
-    return scene_.level().lights[light].sun ? &*ready(light).sun : nullptr;
+    return scene_.lights()[light].sun ? &*ready(light).sun : nullptr;
   }
   const SunVisibility& roughSun(std::size_t light) const { return *ready(light).roughSun; }
   /// A new one: each of the threads that ask needs its own.
-  AreaVisibility areas() const { return areas_; }
-  bool isDraft() const { return purpose_ == Purpose::Draft; }
+  AreaVisibility areas() const;
+  Purpose purpose() const { return purpose_; }
   /// See LightVisibility; what has no place has no beams.
   void prefetchBeams(std::size_t light) const {
-    if (scene_.level().lights[light].hasPlace()) fine(light).prefetchBeams();
+    if (scene_.lights()[light].hasPlace()) fine(light).prefetchBeams();
   }
   /// Those that decide which part of a light shines: none for what has no place.
   std::vector<SectorId> sectorsOf(std::size_t light) const;
@@ -175,6 +180,7 @@ class LightVisibilities {
   BakeSettings settings_;
   std::vector<Box> regions_;  ///< none if beams lead everywhere
   Purpose purpose_;
+  IrradianceSource irradiance_;
   AreaVisibility areas_;  ///< as all begin
   mutable std::vector<Light> lights_;
 };

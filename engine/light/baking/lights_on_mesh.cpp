@@ -52,7 +52,7 @@ LightsOnMesh::LightsOnMesh(const Scene& scene, const LightVisibilities& visibili
 /// Keeps the shaft of a light that may.
 bool LightsOnMesh::mayShineOn(const Scene& scene, const LightVisibilities& visibilities,
                               std::size_t light, const ShaftTargets& targets) {
-  if (scene.level().lights[light].isArea()) return true;
+  if (scene.lights()[light].isArea()) return true;
   if (const SunVisibility* sun = visibilities.sun(light))
     return addShaft(scene, sun->cone(), targets, skyShafts_);
   return addShaft(scene, visibilities.fine(light).shaftLight(), targets, shafts_);

@@ -22,7 +22,7 @@ class MeshShafts {
         visibilities_(visibilities),
         box_(box),
         place_(place),
-        known_(scene.level().lights.size()),
+        known_(scene.lights().size()),
         toPoint_{Shaft(scene), TargetVisibility::Unknown} {}
 
   struct Known {

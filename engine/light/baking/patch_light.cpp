@@ -30,9 +30,9 @@ PatchLight::PatchLight(const Scene& scene, const LightVisibilities& visibilities
       lambert_(lambert),
       place_(place),
       shafts_(scene, visibilities, boxOf(*patch.front()), place),
-      costs_(scene.level().lights.size()) {
+      costs_(scene.lights().size()) {
   for (const std::size_t i : place.lights.lights())
-    if (isInFront(scene.level(), visibilities.reach, i, surface()) &&
+    if (isInFront(scene, visibilities.reach, i, surface()) &&
         distanceTo(surface(), light(i).position) < visibilities.reach.metres(i) + kAuthorNoise)
       facing_.push_back(i);
 }

@@ -49,7 +49,7 @@ class PatchLight : public PatchPlaces {
   PatchLight& operator=(const PatchLight&) = delete;
 
   const std::vector<std::size_t>& facing() const { return facing_; }
-  const LightSource& light(std::size_t index) const { return scene_.level().lights[index]; }
+  const LightSource& light(std::size_t index) const { return scene_.lights()[index]; }
   bool isSoft(std::size_t light) const { return visibilities_.reach.isSoft(light); }
   int channels() const;
 

@@ -7,9 +7,9 @@
 
 namespace hearth {
 
-bool isInFront(const Level& level, const LightReach& reach, std::size_t index,
+bool isInFront(const Scene& scene, const LightReach& reach, std::size_t index,
                const LitSurface& surface) {
-  const LightSource& light = level.lights[index];
+  const LightSource& light = scene.lights()[index];
   if (light.isArea()) return true;
   if (light.sun)
     return dot(surface.normal, light.sun->direction()) >
@@ -20,7 +20,7 @@ bool isInFront(const Level& level, const LightReach& reach, std::size_t index,
 
 bool SampleRays::canShineOn(std::size_t index, SurfaceId surface) const {
   return surface == id_ ||
-         isInFront(scene_.level(), visibilities_.reach, index, *surfaces_[surface.index()]);
+         isInFront(scene_, visibilities_.reach, index, *surfaces_[surface.index()]);
 }
 
 double SampleRays::seenFraction(const LightVisibility& visibility, std::size_t light,

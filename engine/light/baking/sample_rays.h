@@ -44,12 +44,12 @@ class SampleRays {
         visibilities_(visibilities),
         id_(id),
         dependencies_(dependencies),
-        costs_(scene.level().lights.size()) {}
+        costs_(scene.lights().size()) {}
 
   const Scene& scene() const { return scene_; }
   SurfaceId id() const { return id_; }
   const LitSurface& surface(SurfaceId id) const { return *surfaces_[id.index()]; }
-  const LightSource& light(std::size_t index) const { return scene_.level().lights[index]; }
+  const LightSource& light(std::size_t index) const { return scene_.lights()[index]; }
   const LightVisibilities& visibilities() const { return visibilities_; }
   const LightVisibility& visibility(std::size_t light) const { return visibilities_.fine(light); }
   /// The same, with fewer rays to a ball.
@@ -101,9 +101,9 @@ class SampleRays {
   std::vector<LightCost> costs_;
 };
 
-/// Whether any part of a light of a level can shine on the plane of the surface. No part of a ball
+/// Whether any part of a light can shine on the plane of the surface. No part of a ball
 /// can if its centre lies in the plane.
-bool isInFront(const Level& level, const LightReach& reach, std::size_t light,
+bool isInFront(const Scene& scene, const LightReach& reach, std::size_t light,
                const LitSurface& surface);
 
 }  // namespace hearth

@@ -16,13 +16,13 @@ TexelSums lightOfSprite(const Scene& scene, const LightVisibilities& visibilitie
   std::vector<double> ofAreas(areas.lights().size());
   if (!ofAreas.empty()) areas.findFromAir(point, sprite.sector, ofAreas, rays);
   const auto seenFraction = [&](std::size_t i) {
-    if (scene.level().lights[i].isArea()) return ofAreas[areas.placeOf(i)];
+    if (scene.lights()[i].isArea()) return ofAreas[areas.placeOf(i)];
     if (const SunVisibility* const sun = visibilities.sun(i))
       return sun->seenFractionFromAir(point, sprite.sector, rays);
     return visibilities.fine(i).seenFractionFromAir(point, sprite.sector, rays);
   };
   for (const std::size_t i : visibilities.reach.reaching({point, point})) {
-    const LightSource& light = scene.level().lights[i];
+    const LightSource& light = scene.lights()[i];
     constexpr bool kLambert = false;  // the air has no normal
     const double brightness =
         unshadowedBrightness(light, visibilities.reach.metres(i), point, {}, kLambert);

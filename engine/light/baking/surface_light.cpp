@@ -22,10 +22,10 @@ Box3 boxAround(std::span<const Vec3> points) {
 
 }  // namespace
 
-std::vector<std::size_t> lightsFacing(const Level& level, const LightReach& reach,
+std::vector<std::size_t> lightsFacing(const Scene& scene, const LightReach& reach,
                                       const LitSurface& surface) {
   std::vector<std::size_t> lights = reach.reaching(boxAround(surface, surface.texels));
-  std::erase_if(lights, [&](std::size_t i) { return !isInFront(level, reach, i, surface); });
+  std::erase_if(lights, [&](std::size_t i) { return !isInFront(scene, reach, i, surface); });
   return lights;
 }
 
@@ -40,7 +40,7 @@ SurfaceLight::SurfaceLight(const Scene& scene, const LitSurfaces& surfaces,
       beams_(rays_, shafts_),
       suns_(rays_),
       areas_(rays_, *this),
-      facing_(lightsFacing(scene.level(), visibilities.reach, surface())) {}
+      facing_(lightsFacing(scene, visibilities.reach, surface())) {}
 
 int SurfaceLight::channels() const {
   const auto isColored = [this](std::size_t i) { return light(i).isColored(); };

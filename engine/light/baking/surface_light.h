@@ -20,7 +20,7 @@ enum class VisibilityMethod {
 };
 
 /// Indices of the lights that can shine on a surface's plane and reach the surface.
-std::vector<std::size_t> lightsFacing(const Level& level, const LightReach& reach,
+std::vector<std::size_t> lightsFacing(const Scene& scene, const LightReach& reach,
                                       const LitSurface& surface);
 
 /// The light that arrives at points of one surface.

@@ -2,21 +2,24 @@
 
 namespace hearth {
 
-AreaLights::AreaLights(const Level& level) : ofTextures_(level.textures.size()) {
-  for (std::size_t i = 0; i < level.lights.size(); ++i) {
-    const LightSource& light = level.lights[i];
+AreaLights::AreaLights(const Scene& scene) : ofTextures_(scene.level().textures.size()) {
+  const Level& level = scene.level();
+  for (std::size_t i = 0; i < scene.lights().size(); ++i) {
+    const LightSource& light = scene.lights()[i];
     if (!light.isArea()) continue;
     const auto place = static_cast<Place>(lights_.size());
     lights_.push_back(i);
     if (light.isSky) sky_ = place;
+    if (light.isBounced && !bounced_) bounced_ = place;
     if (!light.isEmitter()) continue;
-    haveSurfaces_ = true;
+    haveEmitters_ = true;
     for (std::size_t texture = 0; texture < level.textures.size(); ++texture)
       if (level.textures[texture] == light.texture) ofTextures_[texture] = place;
   }
-  haveFaces_ = haveSurfaces_ && std::ranges::any_of(level.meshFaces, [this](const MeshFace& face) {
-                 return ofTexture(face.texture).has_value();
-               });
+  haveShiningFaces_ =
+      haveEmitters_ && std::ranges::any_of(level.meshFaces, [this](const MeshFace& face) {
+        return ofTexture(face.texture).has_value();
+      });
 }
 
 }  // namespace hearth

@@ -1,6 +1,7 @@
 #include "light/gather/area_visibility.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -38,6 +39,20 @@ double sineOf(double slope) {
                                         : slope / std::sqrt(1 + slope * slope);
 }
 
+Vec2 unitOf(double slope) {
+  const double sine = sineOf(slope);
+  return {std::sqrt(std::max(0.0, 1 - sine * sine)), sine};
+}
+
+Arc arcOf(SlopeRange slopes) {
+  return {unitOf(slopes.from), unitOf(slopes.to),
+          hearth::atan(slopes.to) - hearth::atan(slopes.from)};
+}
+
+double slopeOf(Vec2 unit) {
+  return unit.x > 0 ? unit.y / unit.x : std::copysign(kStraightUp, unit.y);
+}
+
 /// The slopes of directions before a plane; `ahead` is the part of its normal in their compass
 /// direction.
 SlopeRange slopesBefore(Vec3 normal, double ahead) {
@@ -46,16 +61,54 @@ SlopeRange slopesBefore(Vec3 normal, double ahead) {
   return normal.z > 0 ? SlopeRange{inPlane, kStraightUp} : SlopeRange{-kStraightUp, inPlane};
 }
 
-/// The integral from level up to a slope, with a the angle, of (ahead cos a + up sin a) cos a.
-double cosineUpTo(double slope, double ahead, double up) {
-  const double sine = sineOf(slope);
-  double sum = up * sine * sine;
-  if (ahead != 0) {
-    const double cosine = std::sqrt(std::max(0.0, 1 - sine * sine));
-    sum += ahead * (hearth::atan(slope) + sine * cosine);
+/// What a receiver makes of directions: the cosine before a surface, integrated over them, or their
+/// solid angle at a point of the air. Both for each radian of the compass.
+class Receiver {
+ public:
+  /// A surface; `ahead` is the part of its normal in the compass direction.
+  Receiver(Vec3 normal, double ahead)
+      : before_(slopesBefore(normal, ahead)), ahead_(ahead), up_(normal.z) {}
+  /// A point of the air.
+  Receiver() : before_{-kStraightUp, kStraightUp}, isAir_(true) {}
+
+  /// The slopes of which it makes anything.
+  SlopeRange before() const { return before_; }
+
+  double of(SlopeRange slopes) const {
+    const SlopeRange seen = common(slopes, before_);
+    if (seen.isEmpty()) return 0;
+    return isAir_ ? sineOf(seen.to) - sineOf(seen.from) : upTo(seen.to) - upTo(seen.from);
   }
-  return sum / 2;
-}
+  /// The same of an arc.
+  double of(const Arc& arc) const {
+    if (isAir_) return arc.to.y - arc.from.y;
+    const auto inFront = [this](Vec2 unit) { return ahead_ * unit.x + up_ * unit.y; };
+    // Where the plane cuts the arc it is the slopes that tell.
+    constexpr double kRounding = 1e-12;
+    if (inFront(arc.from) < -kRounding || inFront(arc.to) < -kRounding)
+      return of(SlopeRange{slopeOf(arc.from), slopeOf(arc.to)});
+    return (ahead_ * (arc.angle + arc.to.x * arc.to.y - arc.from.x * arc.from.y) +
+            up_ * (arc.to.y * arc.to.y - arc.from.y * arc.from.y)) /
+           2;
+  }
+
+ private:
+  /// The integral from level up to a slope, with a the angle, of (ahead cos a + up sin a) cos a.
+  double upTo(double slope) const {
+    const double sine = sineOf(slope);
+    double sum = up_ * sine * sine;
+    if (ahead_ != 0) {
+      const double cosine = std::sqrt(std::max(0.0, 1 - sine * sine));
+      sum += ahead_ * (hearth::atan(slope) + sine * cosine);
+    }
+    return sum / 2;
+  }
+
+  SlopeRange before_;
+  double ahead_ = 0;
+  double up_ = 0;
+  bool isAir_ = false;
+};
 
 }  // namespace
 
@@ -67,11 +120,18 @@ struct AreaVisibility::Step {
   std::size_t atTo;
 };
 
+/// A compass direction from a point, and who receives light from there.
+struct AreaVisibility::InDirection {
+  Vec3 point;
+  Vec2 direction;
+  std::span<const Receiver> receivers;
+};
+
 AreaVisibility::AreaVisibility(const Scene& scene, bool solidMaskedMiddles)
     : scene_(scene), slice_(scene, solidMaskedMiddles), small_(scene, slice_.lights()) {
   for (const std::size_t i : lights()) {
-    changes_.push_back(fractionFor(kChange, scene.level().lights[i]));
-    worth_.push_back(fractionFor(kMissed, scene.level().lights[i]));
+    changes_.push_back(fractionFor(kChange, scene.lights()[i]));
+    worth_.push_back(fractionFor(kMissed, scene.lights()[i]));
   }
 }
 
@@ -92,8 +152,7 @@ void AreaVisibility::integrate(Vec3 point, InSlice&& inSlice, double whole,
     addStep({(i - 1) * kWidth, i * kWidth, atFrom, atTo}, inSlice, slices);
     atFrom = atTo;
   }
-  for (std::size_t k = 0; k < fractions.size(); ++k)
-    fractions[k] = std::clamp(sums_[k] / whole, 0.0, 1.0);
+  for (std::size_t k = 0; k < fractions.size(); ++k) fractions[k] = std::max(0.0, sums_[k] / whole);
 }
 
 template <typename InSlice>
@@ -139,25 +198,48 @@ std::size_t AreaVisibility::slice(int number, const InSlice& inSlice, std::int64
   return first;
 }
 
+/// The sums are those of all lights, receiver by receiver.
+void AreaVisibility::addAreas(const InDirection& at, const std::vector<AreaInSlice>& areas,
+                              std::span<double> sums) const {
+  for (const AreaInSlice& area : areas) {
+    if (area.light)
+      for (std::size_t k = 0; k < at.receivers.size(); ++k)
+        sums[k * lights().size() + *area.light] += at.receivers[k].of(area.slopes);
+    if (area.surface && irradiance_) addBounced(at, area, sums);
+  }
+}
+
+void AreaVisibility::addBounced(const InDirection& at, const AreaInSlice& area,
+                                std::span<double> sums) const {
+  constexpr double kBetweenSlices = std::numbers::pi / kFirstSlices;  // with those in the middle
+  const std::size_t bounced = *slice_.lights().bounced();
+  const std::size_t channels = lights().size() - bounced;
+  irradiance_->forEachPart(area, at.point, at.direction, arcOf(area.slopes), kBetweenSlices,
+                           [&](const Arc& part, Vec3 levels) {
+                             const std::array<double, 3> of{levels.x, levels.y, levels.z};
+                             for (std::size_t k = 0; k < at.receivers.size(); ++k) {
+                               const double weight = at.receivers[k].of(part);
+                               for (std::size_t channel = 0; channel < channels; ++channel)
+                                 sums[k * lights().size() + bounced + channel] +=
+                                     weight * of[channel];
+                             }
+                           });
+}
+
 void AreaVisibility::findBefore(const SliceStart& start, std::span<const Vec3> normals,
                                 std::span<double> fractions, std::int64_t& slices, SectorSet* met) {
+  std::vector<Receiver> receivers;
   const auto inSlice = [&](Vec2 direction, std::span<double> sums) {
-    const auto aheadOf = [&](Vec3 normal) { return dot(normal.xy(), direction); };
+    receivers.clear();
     SlopeRange beforeAny{kStraightUp, -kStraightUp};
     for (const Vec3 normal : normals) {
-      const SlopeRange before = slopesBefore(normal, aheadOf(normal));
+      const SlopeRange before =
+          receivers.emplace_back(normal, dot(normal.xy(), direction)).before();
       if (before.isEmpty()) continue;
       beforeAny = {std::min(beforeAny.from, before.from), std::max(beforeAny.to, before.to)};
     }
-    const std::vector<AreaInSlice>& areas = slice_.areas(start, direction, beforeAny, met);
-    for (std::size_t k = 0; k < normals.size(); ++k) {
-      const double ahead = aheadOf(normals[k]);
-      const SlopeRange before = slopesBefore(normals[k], ahead);
-      for (const auto& [slopes, light] : areas)
-        if (const SlopeRange seen = common(slopes, before); !seen.isEmpty())
-          sums[k * lights().size() + light] +=
-              cosineUpTo(seen.to, ahead, normals[k].z) - cosineUpTo(seen.from, ahead, normals[k].z);
-    }
+    addAreas({start.point, direction, receivers}, slice_.areas(start, direction, beforeAny, met),
+             sums);
   };
   integrate(start.point, inSlice, std::numbers::pi, fractions, slices);
 }
@@ -177,10 +259,10 @@ void AreaVisibility::findOnMesh(Vec3 point, SectorId sector, std::span<const Vec
 
 void AreaVisibility::findFromAir(Vec3 point, SectorId sector, std::span<double> fractions,
                                  std::int64_t& slices) {
+  const Receiver air;
   const auto inSlice = [&](Vec2 direction, std::span<double> sums) {
-    for (const auto& [slopes, light] :
-         slice_.areas({point, sector, kArrival}, direction, {-kStraightUp, kStraightUp}, nullptr))
-      sums[light] += sineOf(slopes.to) - sineOf(slopes.from);
+    addAreas({point, direction, {&air, 1}},
+             slice_.areas({point, sector, kArrival}, direction, air.before(), nullptr), sums);
   };
   integrate(point, inSlice, 4 * std::numbers::pi, fractions, slices);
 }

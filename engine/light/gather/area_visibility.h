@@ -7,20 +7,23 @@
 #include <vector>
 
 #include "level/scene.h"
+#include "light/gather/irradiance.h"
 #include "light/gather/slice.h"
 #include "light/gather/small_areas.h"
 
 namespace hearth {
 
 /// The fraction of a light that is an area which makes so many levels in its brightest channel; all
-/// if it makes less.
+/// if it makes less. Light that bounces has no whole.
 inline double fractionFor(double levels, const LightSource& light) {
+  if (light.isBounced) return levels;
   return levels / std::max(levels, light.intensity * light.greatestFactor());
 }
 
 /// Answers which fraction of the light of areas arrives at a point: the cosine to its normal,
 /// integrated over the directions in which it first meets the area, over pi. So all light of the
-/// sky arrives at level ground in the open. (Radiosity calls it a form factor: M. Cohen and J.
+/// sky arrives at level ground in the open. Of light that bounces, whose intensity is a level, it
+/// answers how many levels arrive. (Radiosity calls it a form factor: M. Cohen and J.
 /// Wallace, "Radiosity and Realistic Image Synthesis", 1993, chapter 4.)
 ///
 /// In each of some compass directions a slice tells the slopes in question, over which the cosine
@@ -28,16 +31,18 @@ inline double fractionFor(double levels, const LightSource& light) {
 /// changes something, and where a surface that shines is narrower than a step.
 class AreaVisibility {
  public:
-  /// Of all lights of the level that are areas. `solidMaskedMiddles`: see BakeSettings.
+  /// Of all lights of the scene that are areas. `solidMaskedMiddles`: see BakeSettings.
   AreaVisibility(const Scene& scene, bool solidMaskedMiddles);
+  /// What light bounces: needed before anything is asked if any does. Keeps a reference.
+  void setIrradiance(const Irradiance& irradiance) { irradiance_ = &irradiance; }
 
   /// Those lights, by index, rising.
   const std::vector<std::size_t>& lights() const { return slice_.lights().lights(); }
   /// The place of one of them among them.
   std::size_t placeOf(std::size_t light) const { return slice_.lights().placeOf(light); }
 
-  /// At a point of a surface on the border of the air of a sector: the fraction of each, 0..1, in
-  /// their order. Adds the number of slices to `slices`, and the sectors that these enter to `met`,
+  /// At a point of a surface on the border of the air of a sector: the fraction of each, in their
+  /// order. Adds the number of slices to `slices`, and the sectors that these enter to `met`,
   /// if any.
   void findOnSurface(Vec3 point, SectorId sector, Vec3 normal, std::span<double> fractions,
                      std::int64_t& slices, SectorSet* met = nullptr);
@@ -50,12 +55,16 @@ class AreaVisibility {
 
  private:
   struct Step;
+  struct InDirection;
 
   void findBefore(const SliceStart& start, std::span<const Vec3> normals,
                   std::span<double> fractions, std::int64_t& slices, SectorSet* met);
   template <typename InSlice>
   void integrate(Vec3 point, InSlice&& inSlice, double whole, std::span<double> fractions,
                  std::int64_t& slices);
+  void addAreas(const InDirection& at, const std::vector<AreaInSlice>& areas,
+                std::span<double> sums) const;
+  void addBounced(const InDirection& at, const AreaInSlice& area, std::span<double> sums) const;
   bool hidesSmallArea(const Step& step) const;
   template <typename InSlice>
   void addStep(const Step& step, const InSlice& inSlice, std::int64_t& slices);
@@ -64,6 +73,7 @@ class AreaVisibility {
 
   Scene scene_;
   Slice slice_;
+  const Irradiance* irradiance_ = nullptr;
   SmallAreas small_;
   std::vector<double> changes_;  ///< of the fraction of each, that are worth more slices
   std::vector<double> worth_;    ///< fractions of each for which what is small is looked for

@@ -68,8 +68,18 @@ double Slice::slopeTo(double z, double t) const {
   return rise == 0 ? 0 : std::copysign(kStraightUp, rise);
 }
 
-void Slice::see(SlopeRange slopes, std::optional<AreaLights::Place> light) {
-  if (light && !slopes.isEmpty()) areas_.push_back({slopes, *light});
+void Slice::seeSky(SlopeRange slopes) {
+  if (lights_.sky() && !slopes.isEmpty()) areas_.push_back({slopes, lights_.sky(), std::nullopt});
+}
+
+void Slice::see(SlopeRange slopes, SurfaceId surface, TextureId texture, std::uint32_t face) {
+  const std::optional<AreaLights::Place> light = lights_.ofTexture(texture);
+  if ((light || lights_.bounced()) && !slopes.isEmpty())
+    areas_.push_back({slopes, light, surface, face});
+}
+
+void Slice::see(SlopeRange slopes, SurfaceId surface) {
+  see(slopes, surface, scene_[surface].mapping.texture);
 }
 
 void Slice::advance(const Branch& branch) {
@@ -81,7 +91,7 @@ void Slice::advance(const Branch& branch) {
   const Border border{exit.segment, std::max(exit.t, kNudge),
                       scene_.airAt(*exit.segment, std::clamp(fraction, 0.0, 1.0))};
   meetMeshes(branch, border);
-  meshes_.forEachFree(branch.slopes, [&](SlopeRange free) { divide(branch, border, free); });
+  faces_.forEachFree(branch.slopes, [&](SlopeRange free) { divide(branch, border, free); });
 }
 
 /// Which of some lines meet the floor, which the ceiling, and which the wall where they leave.
@@ -108,10 +118,9 @@ void Slice::meetFlat(const Branch& branch, double t, SlopeRange slopes, bool isF
   if (slopes.isEmpty()) return;
   const Sector& sector = scene_[branch.sector];
   const Flat& flat = isFloor ? sector.floor : sector.ceiling;
-  if (flat.isSky) return see(slopes, lights_.sky());
+  if (flat.isSky) return seeSky(slopes);
   if (flat.flatPortal) return crossFlatPortal(branch, t, slopes, isFloor);
-  const SurfaceId surface = *(isFloor ? sector.floorSurface : sector.ceilingSurface);
-  see(slopes, lights_.ofTexture(scene_[surface].mapping.texture));
+  see(slopes, *(isFloor ? sector.floorSurface : sector.ceilingSurface));
 }
 
 /// Lines cross its plane the nearer the steeper they are. `tEnd` is where they leave the sector.
@@ -162,14 +171,14 @@ SectorId Slice::memberAt(const FlatPortal& flatPortal, bool isFloor, double t) c
 
 void Slice::meetWall(const Border& border, SlopeRange slopes) {
   if (slopes.isEmpty()) return;
-  if (lights_.haveSurfaces()) seePieces(border, slopes);
+  if (lights_.needSurfaces()) seePieces(border, slopes);
   for (const LightOpening& opening : scene_.lightOpeningsOf(*border.segment)) {
     const SlopeRange open = common(slopes, slopesThrough(opening, border));
     if (!open.isEmpty()) passMiddles(opening, border, open);
   }
 }
 
-/// Whatever of a wall shines.
+/// What is opaque of a wall.
 void Slice::seePieces(const Border& border, SlopeRange slopes) {
   for (const auto& [zBottom, zTop, content] : scene_.piecesOf(*border.segment)) {
     const SlopeRange piece = common(slopes, {slopeTo(zBottom, border.t), slopeTo(zTop, border.t)});
@@ -177,8 +186,8 @@ void Slice::seePieces(const Border& border, SlopeRange slopes) {
       seeSidewalls(*opening, border, piece);
       continue;
     }
-    const Surface& surface = scene_[std::get<SurfaceId>(content)];
-    if (!isSky(surface.kind)) see(piece, lights_.ofTexture(surface.mapping.texture));
+    const SurfaceId surface = std::get<SurfaceId>(content);
+    if (!isSky(scene_[surface].kind)) see(piece, surface);
   }
 }
 
@@ -186,17 +195,14 @@ void Slice::seePieces(const Border& border, SlopeRange slopes) {
 void Slice::seeSidewalls(const Opening& opening, const Border& border, SlopeRange slopes) {
   const Sector& next = scene_[opening.next];
   const Vec2 p = line_->at(border.t);
-  const auto seeSide = [&](SurfaceId side, SlopeRange covered) {
-    see(common(slopes, covered), lights_.ofTexture(scene_[side].mapping.texture));
-  };
   double bottom = -kStraightUp;
   if (opening.floorSidewall) {
     bottom = slopeTo(scene_.airBottom(next, p), border.t);
-    seeSide(*opening.floorSidewall, {-kStraightUp, bottom});
+    see(common(slopes, {-kStraightUp, bottom}), *opening.floorSidewall);
   }
   if (opening.ceilingSidewall)
-    seeSide(*opening.ceilingSidewall,
-            {std::max(bottom, slopeTo(scene_.airTop(next, p), border.t)), kStraightUp});
+    see(common(slopes, {std::max(bottom, slopeTo(scene_.airTop(next, p), border.t)), kStraightUp}),
+        *opening.ceilingSidewall);
 }
 
 /// Of lines that come through the opening into the air behind it, or a sky.
@@ -210,6 +216,11 @@ SlopeRange Slice::slopesThrough(const LightOpening& opening, const Border& borde
   if (next.floorSlope) open.from = std::max(open.from, slopeTo(air.zBottom, border.t));
   if (next.ceilingSlope) open.to = std::min(open.to, slopeTo(air.zTop, border.t));
   return open;
+}
+
+/// It reflects, but does not shine.
+void Slice::seeMiddle(SlopeRange slopes, SurfaceId surface) {
+  if (lights_.bounced() && !slopes.isEmpty()) areas_.push_back({slopes, std::nullopt, surface});
 }
 
 /// Enters what the middle textures in an opening leave free.
@@ -227,8 +238,13 @@ void Slice::passMiddles(const LightOpening& opening, const Border& border, Slope
       const double z = start_.point.z + border.t * slopeAt(part + 0.5);
       return solidMaskedMiddles_ || isSolidAt(scene_, id, {p.x, p.y, z});
     };
-    for (int part = 0; part < parts; ++part)
-      if (isSolid(part)) middles_.add({slopeAt(part), slopeAt(part + 1)});
+    const bool isFront = scene_[id].segment == border.segment->id;
+    for (int part = 0; part < parts; ++part) {
+      if (!isSolid(part)) continue;
+      const SlopeRange solid{slopeAt(part), slopeAt(part + 1)};
+      middles_.add(solid);
+      if (isFront) seeMiddle(common(slopes, solid), id);
+    }
   }
   middles_.forEachFree(slopes, [&](SlopeRange free) { enter(opening, border.t, free); });
 }
@@ -236,7 +252,7 @@ void Slice::passMiddles(const LightOpening& opening, const Border& border, Slope
 void Slice::enter(const LightOpening& opening, double t, SlopeRange slopes) {
   const Sector& next = scene_[opening.next];
   const Vec2 p = line_->at(t);
-  const auto endInSky = [&](SlopeRange beyond) { see(common(beyond, slopes), lights_.sky()); };
+  const auto endInSky = [&](SlopeRange beyond) { seeSky(common(beyond, slopes)); };
   SlopeRange rest = slopes;
   if (next.floor.isSky) {
     const double bottom = slopeTo(scene_.airBottom(next, p), t);
@@ -253,8 +269,7 @@ void Slice::enter(const LightOpening& opening, double t, SlopeRange slopes) {
 
 /// Those in the sector, before lines leave it.
 void Slice::meetMeshes(const Branch& branch, const Border& border) {
-  meshes_.clear();
-  cuts_.clear();
+  faces_.clear();
   const Level& level = scene_.level();
   const auto mayMeet = [&](const Box3& box) { return mayBlock(box, branch, border); };
   for (const MeshInSector& at : level.meshesIn(branch.sector)) {
@@ -264,20 +279,22 @@ void Slice::meetMeshes(const Branch& branch, const Border& border) {
     level.faceTrees[at.mesh].anyFace(mayMeet, [&](std::uint32_t face) {
       const std::optional<InPlane> whole = cutOf(faces[face]);
       const std::optional<InPlane> cut = whole ? inAir(*whole, branch, border) : std::nullopt;
-      if (cut) block(*cut, branch, lightOf(faces[face], mesh.isTwoSided));
+      if (cut) block(*cut, branch, mesh, faces[face]);
       return false;
     });
   }
-  forEachShining(cuts_, hidden_, [&](SlopeRange slopes, AreaLights::Place light) {
-    see(common(slopes, branch.slopes), light);
-  });
+  if (lights_.needFaces())
+    faces_.forEachSeen([&](SlopeRange slopes, const FaceCut& cut) {
+      seeFace(common(slopes, branch.slopes), cut);
+    });
 }
 
-/// The light that it gives towards the start.
-std::optional<AreaLights::Place> Slice::lightOf(const MeshFace& face, bool isTwoSided) const {
-  if (!lights_.haveFaces()) return std::nullopt;
-  const bool isFront = dot(frontOf(face), start_.point - face.corners[0]) > 0;
-  return isFront || isTwoSided ? lights_.ofTexture(face.texture) : std::nullopt;
+/// If its front is seen.
+void Slice::seeFace(SlopeRange slopes, const FaceCut& cut) {
+  const MeshFace& face = scene_.level().meshFaces[cut.face];
+  if (scene_.level().meshOf(cut.mesh).isTwoSided ||
+      dot(frontOf(face), start_.point - face.corners[0]) > 0)
+    see(slopes, cut.mesh, face.texture, cut.face);
 }
 
 /// Whether what is in a box may stop lines that nothing has stopped so far.
@@ -296,9 +313,7 @@ bool Slice::mayBlock(const Box3& box, const Branch& branch, const Border& border
   const double high = box.max.z + kPositionSlack - start_.point.z;
   const SlopeRange slopes =
       common({low / (low < 0 ? first : last), high / (high > 0 ? first : last)}, branch.slopes);
-  if (slopes.isEmpty()) return false;
-  // Boxes come in no order: one that others cover may be in front of a face that shines.
-  return lights_.haveFaces() || !meshes_.covers(slopes);
+  return !slopes.isEmpty() && !faces_.hide(slopes, 1 / first);
 }
 
 /// The part of a face in the slice's plane.
@@ -311,7 +326,10 @@ std::optional<Slice::InPlane> Slice::cutOf(const MeshFace& face) const {
     const double sideP = line_->sideOf(p.xy());
     const double sideQ = line_->sideOf(q.xy());
     if ((sideP >= 0) == (sideQ >= 0)) continue;
-    const Vec3 at = p + (sideP / (sideP - sideQ)) * (q - p) - start_.point;
+    // In one order, so that faces on either side of an edge leave no gap.
+    const Vec3 at = (sideP >= 0 ? p + (sideP / (sideP - sideQ)) * (q - p)
+                                : q + (sideQ / (sideQ - sideP)) * (p - q)) -
+                    start_.point;
     ends[count++] = {dot(at.xy(), direction_), at.z};
   }
   if (count < 2) return std::nullopt;
@@ -341,12 +359,12 @@ std::optional<Slice::InPlane> Slice::inAir(InPlane cut, const Branch& branch,
 }
 
 /// Takes a part of a face out of the branch.
-void Slice::block(InPlane cut, const Branch& branch, std::optional<AreaLights::Place> light) {
+void Slice::block(InPlane cut, const Branch& branch, const Mesh& mesh, const MeshFace& face) {
   auto& [a, b] = cut;
   if (a.y / a.x > b.y / b.x) std::swap(a, b);
   const SlopeRange slopes{a.y / a.x, b.y / b.x};
-  meshes_.add(common(slopes, branch.slopes));
-  if (lights_.haveFaces() && !slopes.isEmpty()) cuts_.push_back({slopes, 1 / a.x, 1 / b.x, light});
+  if (!common(slopes, branch.slopes).isEmpty())
+    faces_.add({slopes, 1 / a.x, 1 / b.x, mesh.surface, scene_.level().indexOf(face)});
 }
 
 }  // namespace hearth

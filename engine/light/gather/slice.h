@@ -7,7 +7,7 @@
 #include "level/scene.h"
 #include "light/gather/area_lights.h"
 #include "light/gather/blocked_slopes.h"
-#include "light/gather/face_cuts.h"
+#include "light/gather/face_envelope.h"
 #include "light/rays/id_set.h"
 #include "light/rays/plan_line.h"
 #include "math/box3.h"
@@ -21,10 +21,12 @@ struct SliceStart {
   double slack;  ///< metres from the point within which no mesh stops a line
 };
 
-/// Slopes whose lines first meet an area that shines.
+/// Slopes whose lines first meet an area.
 struct AreaInSlice {
   SlopeRange slopes;
-  AreaLights::Place light;
+  std::optional<AreaLights::Place> light;  ///< that it shines with
+  std::optional<SurfaceId> surface;        ///< none of a sky
+  std::uint32_t face = 0;  ///< of a surface that is a mesh: index into Level::meshFaces
 };
 
 /// Follows all straight lines from a point in one compass direction at once: those of a vertical
@@ -37,14 +39,14 @@ class Slice {
  public:
   /// `solidMaskedMiddles`: see BakeSettings.
   Slice(const Scene& scene, bool solidMaskedMiddles)
-      : scene_(scene), solidMaskedMiddles_(solidMaskedMiddles), lights_(scene.level()) {}
+      : scene_(scene), solidMaskedMiddles_(solidMaskedMiddles), lights_(scene) {}
 
-  /// Those of the level.
+  /// Those of the scene.
   const AreaLights& lights() const { return lights_; }
 
-  /// The slopes, among `slopes`, of lines that first meet a sky or a surface that shines, in no
-  /// order. `direction` has length 1. `met`, if any, gets the sectors that lines enter. Valid until
-  /// the next call.
+  /// The slopes, among `slopes`, of lines that first meet a sky that shines, the front of a surface
+  /// that does, or where light bounces that of any, in no order. `direction` has length 1. `met`,
+  /// if any, gets the sectors that lines enter. Valid until the next call.
   const std::vector<AreaInSlice>& areas(const SliceStart& start, Vec2 direction, SlopeRange slopes,
                                         SectorSet* met);
 
@@ -70,7 +72,9 @@ class Slice {
   };
 
   double slopeTo(double z, double t) const;
-  void see(SlopeRange slopes, std::optional<AreaLights::Place> light);
+  void seeSky(SlopeRange slopes);
+  void see(SlopeRange slopes, SurfaceId surface, TextureId texture, std::uint32_t face = 0);
+  void see(SlopeRange slopes, SurfaceId surface);
   void advance(const Branch& branch);
   void divide(const Branch& branch, const Border& border, SlopeRange slopes);
   double whereAirEnds(const Branch& branch, const Border& border) const;
@@ -87,9 +91,10 @@ class Slice {
   void meetMeshes(const Branch& branch, const Border& border);
   bool mayBlock(const Box3& box, const Branch& branch, const Border& border) const;
   std::optional<InPlane> cutOf(const MeshFace& face) const;
-  std::optional<AreaLights::Place> lightOf(const MeshFace& face, bool isTwoSided) const;
+  void seeMiddle(SlopeRange slopes, SurfaceId surface);
+  void seeFace(SlopeRange slopes, const FaceCut& cut);
   std::optional<InPlane> inAir(InPlane cut, const Branch& branch, const Border& border) const;
-  void block(InPlane cut, const Branch& branch, std::optional<AreaLights::Place> light);
+  void block(InPlane cut, const Branch& branch, const Mesh& mesh, const MeshFace& face);
 
   Scene scene_;
   bool solidMaskedMiddles_;
@@ -100,9 +105,7 @@ class Slice {
   std::optional<PlanLine> line_;
   SectorSet* met_ = nullptr;
   std::vector<Branch> branches_;   ///< that are left to follow
-  BlockedSlopes meshes_;           ///< by those of the branch at hand
-  std::vector<FaceCut> cuts_;      ///< those that block; only if any faces shine
-  BlockedSlopes hidden_;           ///< of the one at hand
+  FaceEnvelope faces_;             ///< of the meshes in the branch at hand
   BlockedSlopes middles_;          ///< by what is solid of those in the opening at hand
   std::vector<double> crossings_;  ///< of a flat portal's members
   std::vector<AreaInSlice> areas_;

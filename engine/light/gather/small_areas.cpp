@@ -43,7 +43,7 @@ std::optional<CompassInterval> directionsTo(const Box3& box, Vec3 point, double 
 
 SmallAreas::SmallAreas(const Scene& scene, const AreaLights& lights) {
   const Level& level = scene.level();
-  if (!lights.haveSurfaces()) return;
+  if (!lights.haveEmitters()) return;
   for (const SurfaceId id : scene.shownSurfaces()) {
     if (!canShine(scene[id].kind)) continue;
     if (scene[id].kind == SurfaceKind::Mesh)

@@ -85,7 +85,7 @@ class TileList {
   }
 
   void addSurface(const LitSurface& surface, std::uint32_t index) {
-    const std::vector<std::size_t> facing = lightsFacing(scene_.level(), reach_, surface);
+    const std::vector<std::size_t> facing = lightsFacing(scene_, reach_, surface);
     if (facing.empty()) return;
     const double samples = samplesPerTexel(surface);
     const std::vector<TexelRect> tiles = tilesIn(surface);
@@ -171,7 +171,7 @@ class TileList {
 LevelInTiles::LevelInTiles(const Scene& scene, const BakeSettings& settings, int threads)
     : surfaces(makeLitSurfaces(scene, settings.texel)),
       meshes(makeLitMeshes(scene.level(), settings.texel, threads)),
-      reach(scene.level(), settings) {
+      reach(scene.lights(), settings) {
   TileList list(scene, reach, settings);
   for (std::uint32_t i = 0; i < surfaces.size(); ++i)
     if (surfaces[i]) list.addSurface(*surfaces[i], i);

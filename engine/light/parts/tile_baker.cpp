@@ -43,13 +43,14 @@ std::vector<Box> regionsOf(const LevelInTiles& level, std::span<const LightTile>
 
 }  // namespace
 
-TileBaker::TileBaker(const Scene& scene, const BakeSettings& settings, const LevelInTiles& level,
-                     std::span<const LightTile> tiles, int threads)
-    : scene_(scene),
+TileBaker::TileBaker(const Bounces& bounces, const BakeSettings& settings,
+                     const LevelInTiles& level, std::span<const LightTile> tiles, int threads)
+    : scene_(bounces.scene()),
       settings_(settings),
       level_(level),
-      visibilities_(scene, settings, level.reach, regionsOf(level, tiles)),
-      lighter_(scene, visibilities_, settings, threads, meshesOfTiles(tiles), level.meshes) {}
+      visibilities_(scene_, settings, level.reach, regionsOf(level, tiles),
+                    LightVisibilities::Purpose::Bake, [&bounces] { return bounces.irradiance(); }),
+      lighter_(scene_, visibilities_, settings, threads, meshesOfTiles(tiles), level.meshes) {}
 
 TexelSums TileBaker::baked(const LightTile& tile) const {
   switch (tile.map.kind) {

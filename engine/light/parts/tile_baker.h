@@ -5,6 +5,7 @@
 
 #include "level/bake_settings.h"
 #include "level/scene.h"
+#include "light/baking/bounces.h"
 #include "light/baking/light_visibility.h"
 #include "light/baking/mesh_light.h"
 #include "light/baking/texel_sums.h"
@@ -15,8 +16,8 @@ namespace hearth {
 /// Bakes some tiles of a level, each by itself. Any thread may call it.
 class TileBaker {
  public:
-  /// Keeps references to all but `scene` and `tiles`.
-  TileBaker(const Scene& scene, const BakeSettings& settings, const LevelInTiles& level,
+  /// Keeps references to all but `tiles`.
+  TileBaker(const Bounces& bounces, const BakeSettings& settings, const LevelInTiles& level,
             std::span<const LightTile> tiles, int threads);
 
   /// The light of one of them.

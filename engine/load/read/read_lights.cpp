@@ -19,7 +19,8 @@ constexpr std::array<std::string_view, 2> kSkyKeys{"intensity", "color"};
 constexpr std::array<std::string_view, 2> kEmitterKeys{"intensity", "color"};
 constexpr std::array<std::string_view, 6> kFileKeys{"version", "lights", "suns",
                                                     "sky",     "emit",   "bake"};
-constexpr std::array<std::string_view, 4> kBakeKeys{"texel", "samples", "lambert", "bounces"};
+constexpr std::array<std::string_view, 5> kBakeKeys{"texel", "samples", "lambert", "bounces",
+                                                    "reflectance"};
 
 constexpr std::string_view kAutoSamples = "auto";
 
@@ -176,11 +177,13 @@ void readSampleCount(Report& report, JsonValue value, BakeSettings& bake) {
 
 BakeSettings readBake(Report& report, JsonValue value) {
   constexpr NumberRange kTexel{1e-6, kWorldLimit};  // metres
-  constexpr NumberRange kBounces{0, 1000};
+  constexpr NumberRange kBounces{0, 16};
+  constexpr NumberRange kReflectance{0, 1};
   const Fields fields(report, value, kBakeKeys);
   BakeSettings bake;
   fields.read("texel", kTexel, bake.texel);
   fields.read("lambert", bake.lambert);
+  fields.read("reflectance", kReflectance, bake.reflectance);
   if (const auto bounces = fields.find("bounces"))
     bake.bounces = readInteger(report, *bounces, kBounces).value_or(bake.bounces);
   if (const auto samples = fields.find("samples")) {

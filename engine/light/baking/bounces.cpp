@@ -1,0 +1,67 @@
+#include "light/baking/bounces.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <numeric>
+#include <span>
+#include <utility>
+
+#include "light/baking/baked_surface.h"
+#include "light/baking/irradiance_bake.h"
+#include "math/parallel.h"
+
+namespace hearth {
+
+namespace {
+
+bool isGrey(const Level& level) {
+  return std::ranges::none_of(level.lights, &LightSource::isColored) &&
+         std::ranges::all_of(level.reflectances,
+                             [](Vec3 of) { return of.x == of.y && of.y == of.z; });
+}
+
+/// Those of the level and, last, light that bounces: one for each channel, unless all is grey.
+std::vector<LightSource> withBounced(const Level& level) {
+  std::vector<LightSource> lights = level.lights;
+  LightSource bounced;
+  bounced.intensity = 1;
+  bounced.isBounced = true;
+  if (isGrey(level)) {
+    lights.push_back(bounced);
+    return lights;
+  }
+  for (std::size_t channel = 0; channel < 3; ++channel) {
+    std::ranges::fill(bounced.color, std::uint8_t{0});
+    bounced.color[channel] = 255;
+    lights.push_back(bounced);
+  }
+  return lights;
+}
+
+}  // namespace
+
+Bounces::Bounces(const Scene& scene, const BakeSettings& settings, int threads)
+    : scene_(scene),
+      settings_(settings),
+      threads_(threads),
+      lights_(settings.bounces > 0 && !scene.level().lights.empty() ? withBounced(scene.level())
+                                                                    : scene.level().lights) {}
+
+const Irradiance* Bounces::irradiance() const {
+  if (lights_.size() == scene_.level().lights.size()) return nullptr;
+  std::call_once(once_, [this] {
+    const std::vector<LightSource> bounced(lights_.begin() + std::ssize(scene_.level().lights),
+                                           lights_.end());
+    const IrradianceBake bake(scene_, settings_, threads_);
+    LightOfPieces direct = bake.lightOf(scene_, nullptr);
+    irradiance_.emplace(bake.irradiance(direct));
+    for (int bounce = 1; bounce < settings_.bounces; ++bounce) {
+      LightOfPieces sum = bake.lightOf(scene_.litBy(bounced), &*irradiance_);
+      sum.add(direct);
+      irradiance_.emplace(bake.irradiance(sum));
+    }
+  });
+  return &*irradiance_;
+}
+
+}  // namespace hearth
