@@ -191,6 +191,21 @@ TEST(Inspect, tellsHowMuchOfAnEmitterArrives) {
             "lit, 200 of 255: no light gives it anything; its texture shines with 200");
 }
 
+/// A closed room of one grey that sees its light everywhere has 60 (1 + r + r^2 + r^3).
+TEST(Inspect, tellsHowMuchLightBounces) {
+  const LoadedLevel hall = test::levelFrom(
+      "{'light':0,'sectors':{'hall':{'floor':{'texture':'#808080'},"
+      "'ceiling':{'z':3,'texture':'#808080'},'loops':{'border':{'v':[0,0, 8,0, 8,6, 0,6],"
+      "'walls':" +
+          kSolid + "}}}}}",
+      "{'lights':[{'x':4,'y':3,'z':2,'intensity':60}],'bake':{'bounces':3}}");
+  const TruthHit lit = lookedAt(hall.level, "hall", {3, 3, 1}, {0, 0, -1});
+  const Inspection found = inspected(hall.scene(), lit);
+  const double r = 128.0 / 255;
+  EXPECT_NEAR(found.bounced.x, 60 * (r + r * r + r * r * r), 1);
+  EXPECT_EQ(found.sum.x, 60 + found.bounced.x);
+}
+
 TEST(Inspect, namesWhatHidesASun) {
   const LoadedLevel loaded = underHalfASky("{'angle':0,'pitch':60,'intensity':200}");
   EXPECT_EQ(

@@ -248,14 +248,22 @@ void findLights(const Scene& scene, const BakeSettings& settings, Inspection& fo
   });
 }
 
+/// The lightmap is clamped, and where a shadow ends it is even over a texel.
+Vec3 bouncedIn(const LightmapFinding& map, Vec3 ofLights) {
+  const Vec3 beyond = map.shown - ofLights;
+  return {std::max(0.0, beyond.x), std::max(0.0, beyond.y), std::max(0.0, beyond.z)};
+}
+
 }  // namespace
 
 Inspection inspect(const Scene& scene, const BakedLight& light, const BakeSettings& settings,
                    const TruthHit& place) {
-  Inspection found{place, std::nullopt, {}, 0, {}};
+  Inspection found{place, std::nullopt, {}, 0, {}, {}};
   if (isSky(place.kind)) return found;
   found.lightmap = lightmapAt(scene, light, place);
   findLights(scene, settings, found);
+  if (settings.bounces > 0 && found.lightmap) found.bounced = bouncedIn(*found.lightmap, found.sum);
+  found.sum = found.sum + found.bounced;
   return found;
 }
 

@@ -58,7 +58,8 @@ struct Inspection {
   /// first, and then those that are brightest at their distance.
   std::vector<LightFinding> lights;
   std::size_t notFollowed = 0;  ///< lights that are not among them, being weaker and too many
-  Vec3 sum;                     ///< of what they add: levels at this very point, as defined
+  Vec3 bounced;  ///< levels of light that bounces: those of the lightmap beyond what lights add
+  Vec3 sum;      ///< of both: levels at this very point, as defined
 };
 
 /// Points that a ball of light is for this.

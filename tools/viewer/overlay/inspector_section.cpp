@@ -142,6 +142,8 @@ class Section {
                                    map.columns, map.rows, map.metres));
     showValue("lightmap",
               fmt::format("{}; with its neighbours {}", words(map.texel), words(map.shown)));
+    if (found_.bounced != Vec3{})
+      showValue("bounced", fmt::format("{} of them, about", words(found_.bounced)));
     showValue("exactly", fmt::format("{} at this very point", words(found_.sum)));
   }
 
