@@ -63,6 +63,7 @@ BakedLight coarseLight(const LoadedLevel& loaded, const std::vector<Camera>& pla
   settings.texel = coarseTexel(level);
   settings.softSamples = 16;
   if (settings.samples) settings.samples = std::min(*settings.samples, 4);
+  settings.bounces = 0;  // which are found on many texels, however few the bake has
   BakedLight none;
   none.surfaces.resize(level.surfaces.size());
   none.lightmaps.resize(level.surfaces.size());
