@@ -78,7 +78,7 @@ tl::expected<BakedLight, JoinMistake> joinParts(const BakeInParts& bake,
   LevelInTiles level(bounces.scene(), bake.settings(), threads);
   const std::vector<LightTile> tiles = std::move(level.tiles);
   const auto firstTiles = firstTilesOf(static_cast<std::uint32_t>(parts.size()), tiles);
-  JoinedLight light(bounces.scene(), bake.settings(), std::move(level.surfaces),
+  JoinedLight light(bake.scene(), bake.settings(), std::move(level.surfaces),
                     std::move(level.meshes));
   for (std::size_t k = 0; k < parts.size(); ++k) {
     const auto mistake = [k](std::string what) {

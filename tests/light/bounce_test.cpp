@@ -139,6 +139,19 @@ TEST(Bounces, GiveTheSameBytesWithAnyThreadsInPartsAndInRebakes) {
   EXPECT_NE(lightHash(level.scene(), settings), lightHash(white.scene(), settings));
 }
 
+/// Light beyond full brightness need not be known to a level.
+TEST(Bounces, TakeNoMoreSlicesOfALightHoweverBrightItIs) {
+  const auto slicesOf = [](std::string_view intensity) {
+    const LoadedLevel level =
+        levelFrom(cornerRoom("#999999"),
+                  fmt::format("{{'lights':[{{'x':1.5,'y':1.5,'z':1.5,'intensity':{},'falloff':1}}],"
+                              "'bake':{{'texel':0.25,'bounces':1}}}}",
+                              intensity));
+    return bake(level.scene(), level.level.bake, 2).stats.rays;
+  };
+  EXPECT_LE(slicesOf("1e38"), 2 * slicesOf("250"));
+}
+
 TEST(Bounces, LeaveTheHashOfALevelWithoutThemAlone) {
   const LoadedLevel grey = levelFrom(cornerRoom("#999999"), lampText(0));
   const LoadedLevel white = levelFrom(cornerRoom("#dddddd"), lampText(0));

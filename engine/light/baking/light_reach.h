@@ -12,8 +12,7 @@
 
 namespace hearth {
 
-/// Where lights are, and how far they reach: suns and the sky everywhere. Lights are
-/// indices.
+/// Where lights are, and how far they reach: suns and the sky everywhere. Lights are indices.
 class LightReach {
  public:
   LightReach(std::span<const LightSource> lights, const BakeSettings& settings);

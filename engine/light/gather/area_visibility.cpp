@@ -16,8 +16,11 @@ namespace {
 /// Slices to begin with, and the most: steps are halved up to six times ...
 constexpr int kFirstSlices = 16;
 constexpr int kMostSlices = kFirstSlices << 6;
-/// ... while that changes the light by more levels than this.
+constexpr double kAround = 2 * std::numbers::pi;
+/// ... while that changes the light by more levels than this, ...
 constexpr double kChange = 0.3;
+/// ... or of light beyond full brightness by a larger part of it than it is of that.
+constexpr double kFullBrightness = 255;
 /// What gives less than so many levels may be missed between two slices.
 constexpr double kMissed = 1;
 
@@ -141,23 +144,32 @@ void AreaVisibility::integrate(Vec3 point, InSlice&& inSlice, double whole,
                                std::span<double> fractions, std::int64_t& slices) {
   inSlices_.clear();
   sums_.assign(fractions.size(), 0);
-  whole_ = whole;
   narrow_.clear();
   small_.findAround(point, 360.0 / kFirstSlices, worth_, narrow_);
   constexpr int kWidth = kMostSlices / kFirstSlices;
-  const std::size_t first = slice(0, inSlice, slices);
-  std::size_t atFrom = first;
-  for (int i = 1; i <= kFirstSlices; ++i) {
-    const std::size_t atTo = i < kFirstSlices ? slice(i * kWidth, inSlice, slices) : first;
-    addStep({(i - 1) * kWidth, i * kWidth, atFrom, atTo}, inSlice, slices);
-    atFrom = atTo;
-  }
+  std::array<std::size_t, kFirstSlices + 1> at{};
+  for (int i = 0; i < kFirstSlices; ++i)
+    at[static_cast<std::size_t>(i)] = slice(i * kWidth, inSlice, slices);
+  at.back() = at.front();
+  setLimits(whole);
+  for (int i = 0; i < kFirstSlices; ++i)
+    addStep({i * kWidth, (i + 1) * kWidth, at[static_cast<std::size_t>(i)],
+             at[static_cast<std::size_t>(i) + 1]},
+            inSlice, slices);
   for (std::size_t k = 0; k < fractions.size(); ++k) fractions[k] = std::max(0.0, sums_[k] / whole);
+}
+
+/// By what the first slices have.
+void AreaVisibility::setLimits(double whole) {
+  limits_.assign(sums_.size(), 0);
+  for (std::size_t i = 0; i < inSlices_.size(); ++i) limits_[i % limits_.size()] += inSlices_[i];
+  for (std::size_t k = 0; k < limits_.size(); ++k)
+    limits_[k] = std::max(changes_[k % changes_.size()] * whole,
+                          kChange / kFullBrightness * kAround / kFirstSlices * limits_[k]);
 }
 
 template <typename InSlice>
 void AreaVisibility::addStep(const Step& step, const InSlice& inSlice, std::int64_t& slices) {
-  constexpr double kAround = 2 * std::numbers::pi;
   const int middle = (step.from + step.to) / 2;
   const double half = kAround * (middle - step.from) / kMostSlices;
   const std::size_t atMiddle = slice(middle, inSlice, slices);
@@ -166,8 +178,7 @@ void AreaVisibility::addStep(const Step& step, const InSlice& inSlice, std::int6
   };
   bool changes = false;
   for (std::size_t k = 0; k < sums_.size(); ++k)
-    changes |= half * std::abs(inSlices_[atMiddle + k] - meanOfEnds(k)) >
-               changes_[k % changes_.size()] * whole_;
+    changes |= half * std::abs(inSlices_[atMiddle + k] - meanOfEnds(k)) > limits_[k];
   if ((changes || hidesSmallArea(step)) && middle - step.from > 1) {
     addStep({step.from, middle, step.atFrom, atMiddle}, inSlice, slices);
     addStep({middle, step.to, atMiddle, step.atTo}, inSlice, slices);

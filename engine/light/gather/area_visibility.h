@@ -65,6 +65,7 @@ class AreaVisibility {
   void addAreas(const InDirection& at, const std::vector<AreaInSlice>& areas,
                 std::span<double> sums) const;
   void addBounced(const InDirection& at, const AreaInSlice& area, std::span<double> sums) const;
+  void setLimits(double whole);
   bool hidesSmallArea(const Step& step) const;
   template <typename InSlice>
   void addStep(const Step& step, const InSlice& inSlice, std::int64_t& slices);
@@ -76,11 +77,11 @@ class AreaVisibility {
   const Irradiance* irradiance_ = nullptr;
   SmallAreas small_;
   std::vector<double> changes_;  ///< of the fraction of each, that are worth more slices
+  std::vector<double> limits_;   ///< the same of the sums at hand
   std::vector<double> worth_;    ///< fractions of each for which what is small is looked for
   std::vector<CompassInterval> narrow_;  ///< around the point at hand
   std::vector<double> inSlices_;         ///< of those of the point at hand, one after the other
   std::vector<double> sums_;
-  double whole_ = 0;
 };
 
 }  // namespace hearth

@@ -140,6 +140,11 @@ void LightLattice::divide(std::uint32_t index, bool areDecided) {
   }
 }
 
+/// Light beyond full brightness, 255 levels, need not be known to a level.
+double LightLattice::toleranceAt(double value, std::size_t index) const {
+  return std::max(tolerances_[index], std::abs(value) / 255);
+}
+
 /// Whether the corners have values, and a node between them those that are interpolated.
 bool LightLattice::describes(const std::array<Node, 4>& corners, Vec2 fraction, Node node) const {
   if (!isThere(node) ||
@@ -147,16 +152,18 @@ bool LightLattice::describes(const std::array<Node, 4>& corners, Vec2 fraction, 
     return false;
   const std::span<const double> values = valuesOf(node);
   for (std::size_t i = 0; i < values.size(); ++i)
-    if (std::abs(interpolated(corners, fraction, i) - values[i]) > tolerances_[i]) return false;
+    if (std::abs(interpolated(corners, fraction, i) - values[i]) > toleranceAt(values[i], i))
+      return false;
   return true;
 }
 
 bool LightLattice::areEven(const std::array<Node, 4>& corners) const {
   for (const Node corner : corners) {
     if (!isThere(corner)) return false;
-    for (std::size_t i = 0; i < tolerances_.size(); ++i)
-      if (std::abs(valuesOf(corner)[i] - valuesOf(corners[0])[i]) > 2 * tolerances_[i])
-        return false;
+    for (std::size_t i = 0; i < tolerances_.size(); ++i) {
+      const double value = valuesOf(corner)[i];
+      if (std::abs(value - valuesOf(corners[0])[i]) > 2 * toleranceAt(value, i)) return false;
+    }
   }
   return true;
 }

@@ -26,7 +26,7 @@ class LightLattice {
   using ValuesAt = std::function<bool(Vec2, std::span<double>)>;
 
   /// Cells that nothing divides have sides of `cell` texels, about. `tolerances`, one for each
-  /// value: how far interpolation may be off.
+  /// value: how far interpolation may be off; of great values by a part of themselves.
   LightLattice(const TexelRect& texels, int cell, std::vector<double> tolerances, Parts parts,
                ValuesAt valuesAt);
 
@@ -52,6 +52,7 @@ class LightLattice {
   void decide(std::uint32_t cell);
   void divide(std::uint32_t cell, bool areDecided);
   std::array<Node, 4> cornersOf(const Cell& cell);
+  double toleranceAt(double value, std::size_t index) const;
   bool describes(const std::array<Node, 4>& corners, Vec2 fraction, Node node) const;
   bool areEven(const std::array<Node, 4>& corners) const;
   double interpolated(const std::array<Node, 4>& corners, Vec2 fraction, std::size_t value) const;
