@@ -2,13 +2,8 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <numeric>
-#include <span>
-#include <utility>
 
-#include "light/baking/baked_surface.h"
 #include "light/baking/irradiance_bake.h"
-#include "math/parallel.h"
 
 namespace hearth {
 

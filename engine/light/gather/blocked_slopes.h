@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
 #include <limits>
 #include <vector>
@@ -22,6 +23,18 @@ inline SlopeRange common(SlopeRange a, SlopeRange b) {
   return {std::max(a.from, b.from), std::min(a.to, b.to)};
 }
 
+/// Calls `visit` for what ranges leave of one, from below. They are those of `blocked`, rising,
+/// apart from one another; `rangeOf` is a member or a function that tells that of an element.
+template <typename Blocked, typename RangeOf, typename Visit>
+void forEachFree(const Blocked& blocked, RangeOf&& rangeOf, SlopeRange all, Visit&& visit) {
+  for (const auto& element : blocked) {
+    const SlopeRange range = std::invoke(rangeOf, element);
+    if (const SlopeRange free = common(all, {all.from, range.from}); !free.isEmpty()) visit(free);
+    all.from = std::max(all.from, range.to);
+  }
+  if (!all.isEmpty()) visit(all);
+}
+
 /// Slopes whose lines something stops.
 class BlockedSlopes {
  public:
@@ -41,19 +54,10 @@ class BlockedSlopes {
     ranges_.erase(std::next(first), end);
   }
 
-  bool covers(SlopeRange range) const {
-    const auto at = std::ranges::lower_bound(ranges_, range.to, {}, &SlopeRange::to);
-    return at != ranges_.end() && at->from <= range.from;
-  }
-
   /// Calls `visit` for what these leave of a range, from below.
   template <typename Visit>
   void forEachFree(SlopeRange all, Visit&& visit) const {
-    for (const SlopeRange range : ranges_) {
-      if (const SlopeRange free = common(all, {all.from, range.from}); !free.isEmpty()) visit(free);
-      all.from = std::max(all.from, range.to);
-    }
-    if (!all.isEmpty()) visit(all);
+    hearth::forEachFree(ranges_, std::identity(), all, visit);
   }
 
  private:

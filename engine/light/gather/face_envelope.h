@@ -48,12 +48,7 @@ class FaceEnvelope {
   /// Calls `visit` for what these leave of a range, from below.
   template <typename Visit>
   void forEachFree(SlopeRange all, Visit&& visit) const {
-    for (const Part& part : parts_) {
-      if (const SlopeRange free = common(all, {all.from, part.slopes.from}); !free.isEmpty())
-        visit(free);
-      all.from = std::max(all.from, part.slopes.to);
-    }
-    if (!all.isEmpty()) visit(all);
+    hearth::forEachFree(parts_, &Part::slopes, all, visit);
   }
 
  private:
