@@ -172,13 +172,21 @@ TEST(Inspect, tellsHowMuchOfTheSkyArrives) {
             "not seen: no straight way leads from here to the sky");
 }
 
-TEST(Inspect, tellsHowMuchOfAnEmitterArrives) {
-  const LoadedLevel hall = test::levelFrom(
+/// A closed room of 8 x 6 x 3 m, grey but for its ceiling.
+LoadedLevel hallUnder(const std::string& ceiling, const std::string& lights) {
+  return test::levelFrom(
       "{'light':0,'sectors':{'hall':{'floor':{'texture':'#808080'},"
-      "'ceiling':{'z':3,'texture':'#ffffff'},'loops':{'border':{'v':[0,0, 8,0, 8,6, 0,6],"
-      "'walls':" +
+      "'ceiling':{'z':3,'texture':'" +
+          ceiling +
+          "'},'loops':{'border':{'v':[0,0, 8,0, 8,6, 0,6],"
+          "'walls':" +
           kSolid + "}}}}}",
-      "{'lights':[],'emit':{'#ffffff':{'intensity':200},'#00ff00':{}}}");
+      lights);
+}
+
+TEST(Inspect, tellsHowMuchOfAnEmitterArrives) {
+  const LoadedLevel hall =
+      hallUnder("#ffffff", "{'lights':[],'emit':{'#ffffff':{'intensity':200},'#00ff00':{}}}");
   const TruthHit lit = lookedAt(hall.level, "hall", {4, 3, 1}, {0, 0, -1});
   const Inspection found = inspected(hall.scene(), lit);
   EXPECT_NEAR(found.sum.x, found.lightmap->shown.x, 1.5);
@@ -193,12 +201,8 @@ TEST(Inspect, tellsHowMuchOfAnEmitterArrives) {
 
 /// A closed room of one grey that sees its light everywhere has 60 (1 + r + r^2 + r^3).
 TEST(Inspect, tellsHowMuchLightBounces) {
-  const LoadedLevel hall = test::levelFrom(
-      "{'light':0,'sectors':{'hall':{'floor':{'texture':'#808080'},"
-      "'ceiling':{'z':3,'texture':'#808080'},'loops':{'border':{'v':[0,0, 8,0, 8,6, 0,6],"
-      "'walls':" +
-          kSolid + "}}}}}",
-      "{'lights':[{'x':4,'y':3,'z':2,'intensity':60}],'bake':{'bounces':3}}");
+  const LoadedLevel hall =
+      hallUnder("#808080", "{'lights':[{'x':4,'y':3,'z':2,'intensity':60}],'bake':{'bounces':3}}");
   const TruthHit lit = lookedAt(hall.level, "hall", {3, 3, 1}, {0, 0, -1});
   const Inspection found = inspected(hall.scene(), lit);
   const double r = 128.0 / 255;
