@@ -263,7 +263,6 @@ Inspection inspect(const Scene& scene, const BakedLight& light, const BakeSettin
   found.lightmap = lightmapAt(scene, light, place);
   findLights(scene, settings, found);
   if (settings.bounces > 0 && found.lightmap) found.bounced = bouncedIn(*found.lightmap, found.sum);
-  found.sum = found.sum + found.bounced;
   return found;
 }
 

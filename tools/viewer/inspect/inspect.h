@@ -58,8 +58,10 @@ struct Inspection {
   /// first, and then those that are brightest at their distance.
   std::vector<LightFinding> lights;
   std::size_t notFollowed = 0;  ///< lights that are not among them, being weaker and too many
-  Vec3 bounced;  ///< levels of light that bounces: those of the lightmap beyond what lights add
-  Vec3 sum;      ///< of both: levels at this very point, as defined
+  Vec3 sum;                     ///< of what they add: levels at this very point, as defined
+  /// Levels of light that bounces, about: those of the lightmap beyond the sum. At least, where the
+  /// lightmap is at its brightest.
+  Vec3 bounced;
 };
 
 /// Points that a ball of light is for this.

@@ -159,7 +159,7 @@ double brightest(Vec3 levels) { return std::max({levels.x, levels.y, levels.z});
 
 std::string brightnessWords(const Level& level, const Inspection& found) {
   if (!found.lightmap) return "sky: always fully bright";
-  return brightnessOf(level, found.place.sector, brightest(found.sum),
+  return brightnessOf(level, found.place.sector, brightest(found.sum + found.bounced),
                       shiningOf(level, found.place.kind, found.place.texture->texture));
 }
 

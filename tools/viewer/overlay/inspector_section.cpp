@@ -143,8 +143,9 @@ class Section {
     showValue("lightmap",
               fmt::format("{}; with its neighbours {}", words(map.texel), words(map.shown)));
     if (found_.bounced != Vec3{})
-      showValue("bounced", fmt::format("{} of them, about", words(found_.bounced)));
-    showValue("exactly", fmt::format("{} at this very point", words(found_.sum)));
+      showValue("bounced", fmt::format("{} {}", brightest(map.shown) < 255 ? "about" : "at least",
+                                       words(found_.bounced)));
+    showValue("exactly", fmt::format("{} of lights at this very point", words(found_.sum)));
   }
 
   void showLights() {
