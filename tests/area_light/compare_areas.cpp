@@ -4,13 +4,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <optional>
+#include <variant>
+#include <vector>
 
 #include "light/bakery.h"
 #include "light/baking/mesh_light.h"
 #include "light/baking/surface_places.h"
 #include "math/check.h"
+#include "math/parallel.h"
 #include "random_levels/random.h"
 #include "random_levels/random_level.h"
 #include "truth/truth_gather.h"
@@ -23,6 +27,8 @@ namespace {
 constexpr int kTexelsOfSurface = 4;
 constexpr int kSmallFacesOfMesh = 6;
 constexpr TruthGather::Effort kEffort{.side = 24, .rounds = 6, .seed = 1};
+/// A third of that, for levels with many lights.
+constexpr TruthGather::Effort kEffortOfTexel{.side = 16, .rounds = 4, .seed = 1};
 
 /// Surfaces that wear every other texture, by little enough for lightmaps.
 void addEmitters(Level& level) {
@@ -67,12 +73,12 @@ Level withAreasOnly(Level level, Areas areas) {
 
 class Comparison {
  public:
-  Comparison(Level level, const Geometry& geometry, std::string_view name)
+  Comparison(Level level, const Geometry& geometry, std::string_view name, int threads)
       : level_(std::move(level)),
         scene_(level_, geometry),
         name_(name),
-        baked_(bake(scene_, level_.bake, 1)),
-        unbounced_(bake(scene_, withoutBounces(level_.bake), 1)),
+        baked_(bake(scene_, level_.bake, threads)),
+        unbounced_(bake(scene_, withoutBounces(level_.bake), threads)),
         direct_(level_),
         gather_(level_, direct_),
         sectors_(sectorsOfMeshes(level_)),
@@ -84,15 +90,42 @@ class Comparison {
     }
   }
 
-  AreaTally compare() {
+  /// Some texels of each surface and patch, small faces of meshes, and sprites.
+  AreaTally compareAll() {
     for (std::size_t i = 0; i < level_.surfaces.size(); ++i)
       if (baked_.surfaces[i]) compareSurface(SurfaceId(i));
     for (std::uint32_t i = 0; i < level_.meshes.size(); ++i) compareMesh(i);
     for (const Sprite& sprite : level_.sprites) compareSprite(sprite);
-    return tally_;
+    return answer(1, kEffort);
+  }
+
+  /// Texels of surfaces and patches, each as likely as any other.
+  AreaTally compareTexels(int count, int threads) {
+    std::vector<std::int64_t> ends;  // of surfaces and patches, counted in texels
+    std::vector<std::function<void()>> compare;
+    const auto addTexels = [&](std::int64_t texels, std::function<void()> one) {
+      ends.push_back((ends.empty() ? 0 : ends.back()) + texels);
+      compare.push_back(std::move(one));
+    };
+    for (std::size_t i = 0; i < level_.surfaces.size(); ++i)
+      if (const auto& lit = baked_.surfaces[i])
+        addTexels(lit->texels.count(), [this, i] { compareTexel(SurfaceId(i)); });
+    for (std::uint32_t i = 0; i < level_.meshes.size(); ++i)
+      for (const LitMesh::Patch& patch : baked_.meshes[i].patches)
+        addTexels(patch.surface.texels.count(), [this, i, &patch] { compareTexel(i, patch); });
+    if (ends.empty()) return tally_;
+    // Some texels hold no place that can be compared.
+    constexpr int kDrawsOfPlace = 100;
+    for (int k = 0; k < kDrawsOfPlace * count && std::ssize(questions_) < count; ++k) {
+      const std::int64_t texel = random_.between(0, ends.back() - 1);
+      compare[static_cast<std::size_t>(std::ranges::upper_bound(ends, texel) - ends.begin())]();
+    }
+    return answer(threads, kEffortOfTexel);
   }
 
  private:
+  bool isBounced() const { return level_.bake.bounces > 0; }
+
   std::string placeOf(SurfaceKind kind, SectorId sector, Vec3 p) const {
     return fmt::format("{}: {} of {} at {:.3f} {:.3f} {:.3f}", name_, name(kind),
                        level_[sector].name, p.x, p.y, p.z);
@@ -103,32 +136,51 @@ class Comparison {
   template <typename LightOf, typename Place>
   void add(SurfaceKind kind, LightOf&& lightOf, const Place& place, const std::string& at) {
     const double baked = lightOf(baked_);
-    const auto [light, error] = gather_.at(place, kEffort);
-    if (level_.bake.bounces == 0)
-      return tally_.add(kind, baked, std::min(255.0, light.sum().x), error.sum().x, at);
-    if (baked < 255)
-      tally_.add(kind, baked - lightOf(unbounced_), light.bounced.x, error.bounced.x, at);
+    if (!isBounced())
+      questions_.push_back({kind, baked, place, at});
+    else if (baked < 255)
+      questions_.push_back({kind, baked - lightOf(unbounced_), place, at});
+  }
+
+  /// Asks truth.
+  AreaTally answer(int threads, const TruthGather::Effort& effort) {
+    std::vector<TruthGather::Estimate> truth(questions_.size());
+    parallelFor(questions_.size(), threads, [&](std::size_t i) {
+      truth[i] = std::visit([&](const auto& place) { return gather_.at(place, effort); },
+                            questions_[i].place);
+    });
+    for (std::size_t i = 0; i < questions_.size(); ++i) {
+      const auto& [kind, baked, place, at] = questions_[i];
+      const auto& [light, error] = truth[i];
+      if (isBounced())
+        tally_.add(kind, baked, light.bounced.x, error.bounced.x, at);
+      else
+        tally_.add(kind, baked, std::min(255.0, light.sum().x), error.sum().x, at);
+    }
+    return tally_;
   }
 
   void compareSurface(SurfaceId id) {
+    for (int k = 0; k < kTexelsOfSurface; ++k) compareTexel(id);
+  }
+
+  void compareTexel(SurfaceId id) {
     const SurfacePlaces places(scene_, baked_.surfaces, id);
     const LitSurface& lit = *baked_.surfaces[id.index()];
-    for (int k = 0; k < kTexelsOfSurface; ++k) {
-      const int i = lit.texels.i0 + static_cast<int>(random_.between(0, lit.texels.width - 1));
-      const int j = lit.texels.j0 + static_cast<int>(random_.between(0, lit.texels.height - 1));
-      const SamplePoint at = places.place({i + 0.5, j + 0.5});
-      if (at.isMoved || places.isLeftOut(at) || !lit.outline.contains({i + 0.5, j + 0.5})) continue;
-      const Surface& there = level_[at.surface];
-      const SurfacePoint place{there.kind, there.sector, there.segment, at.target,
-                               baked_.surfaces[at.surface.index()]->normal};
-      add(
-          level_[id].kind,
-          [&](const BakedLight& baked) {
-            const std::optional<Lightmap>& map = baked.lightmaps[id.index()];
-            return map ? map->at(i, j) : 0;
-          },
-          place, placeOf(level_[id].kind, there.sector, at.point));
-    }
+    const int i = lit.texels.i0 + static_cast<int>(random_.between(0, lit.texels.width - 1));
+    const int j = lit.texels.j0 + static_cast<int>(random_.between(0, lit.texels.height - 1));
+    const SamplePoint at = places.place({i + 0.5, j + 0.5});
+    if (at.isMoved || places.isLeftOut(at) || !lit.outline.contains({i + 0.5, j + 0.5})) return;
+    const Surface& there = level_[at.surface];
+    const SurfacePoint place{there.kind, there.sector, there.segment, at.target,
+                             baked_.surfaces[at.surface.index()]->normal};
+    add(
+        level_[id].kind,
+        [&](const BakedLight& baked) {
+          const std::optional<Lightmap>& map = baked.lightmaps[id.index()];
+          return map ? map->at(i, j) : 0;
+        },
+        place, placeOf(level_[id].kind, there.sector, at.point));
   }
 
   void compareMesh(std::uint32_t index) {
@@ -198,6 +250,14 @@ class Comparison {
         AirPoint{p, sprite.sector}, placeOf(kind, sprite.sector, p));
   }
 
+  /// What truth is asked.
+  struct Question {
+    SurfaceKind kind;
+    double baked;  ///< levels
+    std::variant<SurfacePoint, AirPoint> place;
+    std::string at;
+  };
+
   Level level_;
   Scene scene_;
   std::string name_;
@@ -207,6 +267,7 @@ class Comparison {
   TruthGather gather_;
   std::vector<std::vector<SectorId>> sectors_;  ///< by mesh
   random_levels::Random random_;
+  std::vector<Question> questions_;
   AreaTally tally_;
 };
 
@@ -218,8 +279,10 @@ bool hasSky(const Level& level) {
 
 }  // namespace
 
-AreaTally compareAreas(LoadedLevel loaded, Areas areas, std::string_view name) {
-  return Comparison(withAreasOnly(std::move(loaded.level), areas), loaded.geometry, name).compare();
+AreaTally compareTexels(LoadedLevel loaded, Areas areas, std::string_view name, int count,
+                        int threads) {
+  return Comparison(withAreasOnly(std::move(loaded.level), areas), loaded.geometry, name, threads)
+      .compareTexels(count, threads);
 }
 
 AreaTally compareRandomLevel(std::uint64_t seed, Areas areas, const std::filesystem::path& folder) {
@@ -230,7 +293,10 @@ AreaTally compareRandomLevel(std::uint64_t seed, Areas areas, const std::filesys
   std::filesystem::remove(folder / (random.name + ".json"));
   std::filesystem::remove(folder / (random.name + ".lights.json"));
   if (areas == Areas::Sky && !hasSky(result.loaded->level)) return {};
-  return compareAreas(*std::move(result.loaded), areas, fmt::format("seed {}", seed));
+  constexpr int kThreads = 1;  // levels are compared side by side
+  return Comparison(withAreasOnly(std::move(result.loaded->level), areas), result.loaded->geometry,
+                    fmt::format("seed {}", seed), kThreads)
+      .compareAll();
 }
 
 }  // namespace hearth::area_light

@@ -16,13 +16,16 @@ enum class Areas {
   Bounces  ///< what surfaces reflect, three times, of points of light and of a sky if there is one
 };
 
-/// Bakes a level with the light of areas alone, and holds texels of each surface, points of
-/// meshes and sprites against truth. A level that has a sky and no light of it gets some. `name`
-/// says which level it was in the note of the worst place.
-AreaTally compareAreas(LoadedLevel loaded, Areas areas, std::string_view name);
+// A level is baked with the light of areas alone, and texels, small faces of meshes and sprites are
+// held against truth. One that has a sky and no light of it gets some.
 
-/// The same for the random level of `seed`. `folder` holds the textures of random levels; the level
-/// is written there for the time.
+/// `count` texels of surfaces and patches of meshes, each as likely as any other. `name` says which
+/// level it was in the note of the worst place.
+AreaTally compareTexels(LoadedLevel loaded, Areas areas, std::string_view name, int count,
+                        int threads);
+
+/// Some texels of every surface and patch, small faces and all sprites of the random level of
+/// `seed`. `folder` holds the textures of random levels; the level is written there for the time.
 AreaTally compareRandomLevel(std::uint64_t seed, Areas areas, const std::filesystem::path& folder);
 
 }  // namespace hearth::area_light

@@ -32,14 +32,16 @@ AreaTally compareRandomLevels(std::uint64_t count, std::uint64_t firstSeed, Area
   return all;
 }
 
-AreaTally compareFiles(const std::vector<std::string>& files, Areas areas) {
+AreaTally compareFiles(const std::vector<std::string>& files, Areas areas, int places,
+                       int threads) {
   AreaTally all;
   for (const std::string& file : files) {
     hearth::LoadResult result = hearth::loadLevel(file);
     for (const hearth::Diagnostic& diagnostic : result.diagnostics)
       fmt::print(stderr, "{}\n", hearth::format(diagnostic));
     if (!result.loaded) std::exit(2);
-    all += hearth::area_light::compareAreas(*std::move(result.loaded), areas, file);
+    all +=
+        hearth::area_light::compareTexels(*std::move(result.loaded), areas, file, places, threads);
   }
   return all;
 }
@@ -49,22 +51,25 @@ AreaTally compareFiles(const std::vector<std::string>& files, Areas areas) {
 int main(int argc, char** argv) {
   CLI::App app("Holds the light of areas against truth, by kind of surface.");
   std::vector<std::string> files;
+  int places = 1000;
   std::uint64_t count = 2000;
   std::uint64_t firstSeed = 1;
   bool haveEmitters = false;
   bool haveBounces = false;
   int threads = hearth::availableThreads();
   app.add_option("LEVEL", files, "level files; default: random levels");
+  app.add_option("--places", places, "texels of each of the files")->capture_default_str();
   app.add_option("--levels", count, "random levels")->capture_default_str();
   app.add_option("--seed", firstSeed, "seed of the first")->capture_default_str();
   app.add_flag("--emitters", haveEmitters, "surfaces shine instead of the sky");
   app.add_flag("--bounces", haveBounces, "light of all lights bounces");
-  app.add_option("--threads", threads, "random levels compared at a time")->capture_default_str();
+  app.add_option("--threads", threads, "random levels compared at a time, or places of a file")
+      ->capture_default_str();
   CLI11_PARSE(app, argc, argv);
 
   const Areas areas = haveBounces ? Areas::Bounces : haveEmitters ? Areas::Emitters : Areas::Sky;
   const AreaTally tally = files.empty() ? compareRandomLevels(count, firstSeed, areas, threads)
-                                        : compareFiles(files, areas);
+                                        : compareFiles(files, areas, places, threads);
   fmt::print("{}", hearth::area_light::table(tally));
   const hearth::area_light::Errors sum = tally.sum();
   constexpr double kMostRms = 2;         // levels
