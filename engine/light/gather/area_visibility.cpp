@@ -222,19 +222,22 @@ void AreaVisibility::addAreas(const InDirection& at, const std::vector<AreaInSli
 
 void AreaVisibility::addBounced(const InDirection& at, const AreaInSlice& area,
                                 std::span<double> sums) const {
-  constexpr double kBetweenSlices = std::numbers::pi / kFirstSlices;  // with those in the middle
+  // Radians; slices in the middle of steps included.
+  constexpr double kBetweenSlices = std::numbers::pi / kFirstSlices;
+  // What is seen of a surface is brighter, by and large, than what something hides from the point
+  // and the lights alike. So a slice must not take much of what it does not see itself.
+  constexpr double kWidth = 0.3 * kBetweenSlices;
   const std::size_t bounced = *slice_.lights().bounced();
   const std::size_t channels = lights().size() - bounced;
-  irradiance_->forEachPart(area, at.point, at.direction, arcOf(area.slopes), kBetweenSlices,
-                           [&](const Arc& part, Vec3 levels) {
-                             const std::array<double, 3> of{levels.x, levels.y, levels.z};
-                             for (std::size_t k = 0; k < at.receivers.size(); ++k) {
-                               const double weight = at.receivers[k].of(part);
-                               for (std::size_t channel = 0; channel < channels; ++channel)
-                                 sums[k * lights().size() + bounced + channel] +=
-                                     weight * of[channel];
-                             }
-                           });
+  irradiance_->forEachPart(
+      area, at.point, at.direction, arcOf(area.slopes), kWidth, [&](const Arc& part, Vec3 levels) {
+        const std::array<double, 3> of{levels.x, levels.y, levels.z};
+        for (std::size_t k = 0; k < at.receivers.size(); ++k) {
+          const double weight = at.receivers[k].of(part);
+          for (std::size_t channel = 0; channel < channels; ++channel)
+            sums[k * lights().size() + bounced + channel] += weight * of[channel];
+        }
+      });
 }
 
 void AreaVisibility::findBefore(const SliceStart& start, std::span<const Vec3> normals,
