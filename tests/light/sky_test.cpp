@@ -177,7 +177,7 @@ TEST(LightLattice, InterpolatesWhatIsEvenAndDividesWhereItIsNot) {
     return true;
   };
   const TexelRect texels{-7, 3, 100, 50};
-  LightLattice lattice(texels, 16, {0.1, 0.1}, LightLattice::Parts::AsNeeded, step);
+  LightLattice lattice(texels, 16, {0.1, 0.1}, LightLattice::Parts::DownToOne, step);
   for (double y = 3; y <= 53; y += 3.7)
     for (double x = -7; x <= 93; x += 1.3) {
       EXPECT_NEAR(lattice.at({x, y}, 0), 3 + 0.01 * x, 1e-12);
@@ -189,12 +189,32 @@ TEST(LightLattice, InterpolatesWhatIsEvenAndDividesWhereItIsNot) {
   EXPECT_NEAR(lattice.at({-100, 20}, 0), lattice.at({-7, 20}, 0), 0) << "the nearest";
 }
 
+/// Down to cells of two texels, as many points are asked for as there are texels at the step.
+TEST(LightLattice, AsksAtThePointsThemselvesWhereCellsOfTwoTexelsAreUneven) {
+  std::vector<Vec2> asked;
+  const auto step = [&](Vec2 p, std::span<double> values) {
+    asked.push_back(p);
+    values[0] = p.x < 8.5 ? 0 : 1;
+    return true;
+  };
+  LightLattice lattice({0, 0, 16, 16}, 16, {0.1}, LightLattice::Parts::DownToTwo, step);
+  for (int j = 0; j < 16; ++j)
+    for (int i = 0; i < 16; ++i) EXPECT_EQ(lattice.at({i + 0.5, j + 0.5}, 0), i < 8 ? 0 : 1) << i;
+  const auto isInTexel = [](Vec2 p) { return p.x != std::floor(p.x); };
+  EXPECT_EQ(std::ranges::count_if(asked, isInTexel), 2 * 16);
+  for (const Vec2 p : asked) {
+    if (isInTexel(p)) {
+      EXPECT_TRUE(p.x > 8 && p.x < 10) << p.x;
+    }
+  }
+}
+
 TEST(LightLattice, TakesNothingFromWhereThereIsNoLight) {
   const auto hole = [&](Vec2 p, std::span<double> values) {
     values[0] = p.x < 20 ? 1 : -1000;
     return p.x < 20;
   };
-  LightLattice lattice({0, 0, 40, 8}, 16, {0.1}, LightLattice::Parts::AsNeeded, hole);
+  LightLattice lattice({0, 0, 40, 8}, 16, {0.1}, LightLattice::Parts::DownToOne, hole);
   for (double x = 0; x < 20; x += 0.5) EXPECT_EQ(lattice.at({x, 4}, 0), 1) << x;
   EXPECT_EQ(lattice.at({30, 4}, 0), 0);
 }

@@ -9,9 +9,9 @@ AreaLattice::Cells AreaLattice::cellsFor(LightVisibilities::Purpose purpose) {
   constexpr int kSide = 8;
   switch (purpose) {
     case LightVisibilities::Purpose::Bake:
-      return {kSide, 1, LightLattice::Parts::AsNeeded};
+      return {kSide, 1, LightLattice::Parts::DownToOne};
     case LightVisibilities::Purpose::Source:
-      return {2 * kSide, 4, LightLattice::Parts::AsNeeded};
+      return {2 * kSide, 4, LightLattice::Parts::DownToTwo};
     case LightVisibilities::Purpose::Draft:
       return {kSide, 1, LightLattice::Parts::None};
   }

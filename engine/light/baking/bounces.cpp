@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <utility>
 
 #include "light/baking/irradiance_bake.h"
 
@@ -48,13 +49,17 @@ const Irradiance* Bounces::irradiance() const {
     const std::vector<LightSource> bounced(lights_.begin() + std::ssize(scene_.level().lights),
                                            lights_.end());
     const IrradianceBake bake(scene_, settings_, threads_);
-    LightOfPieces direct = bake.lightOf(scene_, nullptr);
-    irradiance_.emplace(bake.irradiance(direct));
+    LightOfPieces last = bake.lightOf(scene_, nullptr);
+    LightOfPieces sum = last;
+    // Of each bounce alone: it is dimmer and more even than the one before, and so found faster.
     for (int bounce = 1; bounce < settings_.bounces; ++bounce) {
-      LightOfPieces sum = bake.lightOf(scene_.litBy(bounced), &*irradiance_);
-      sum.add(direct);
-      irradiance_.emplace(bake.irradiance(sum));
+      const Irradiance reflected = bake.irradiance(last);
+      last = bake.lightOf(scene_.litBy(bounced), &reflected);
+      LightOfPieces all = last;
+      all.add(sum);
+      sum = std::move(all);
     }
+    irradiance_.emplace(bake.irradiance(sum));
   });
   return &*irradiance_;
 }

@@ -78,9 +78,10 @@ std::int64_t IrradianceBake::Piece::texels(const LitSurfaces& surfaces) const {
 
 IrradianceBake::IrradianceBake(const Scene& scene, const BakeSettings& settings, int threads)
     : scene_(scene), settings_(settings), threads_(threads) {
-  constexpr int kSamples = 4;
-  settings_.samples = kSamples;
-  settings_.softSamples = std::min(settings.softSamples, kSamples);
+  // What reflects light is far larger than a texel, so one sample is enough for that.
+  settings_.samples = 1;
+  constexpr int kSoftSamples = 4;
+  settings_.softSamples = std::min(settings.softSamples, kSoftSamples);
   const auto placeTexels = [&] {
     surfaces_ = makeLitSurfaces(scene, settings_.texel);
     meshes_ = makeLitMeshes(scene.level(), settings_.texel, threads);

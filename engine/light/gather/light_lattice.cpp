@@ -98,7 +98,8 @@ void LightLattice::decide(std::uint32_t index) {
   const std::array<int, 2> from = cell.from;
   const std::array<int, 2> to = cell.to;
   if (parts_ == Parts::None) return;
-  if (to[0] - from[0] <= 1 && to[1] - from[1] <= 1) {
+  const int side = std::max(to[0] - from[0], to[1] - from[1]);
+  if (side <= 1) {
     cells_[index].isUneven = !areEven(corners);
     return;
   }
@@ -109,9 +110,15 @@ void LightLattice::decide(std::uint32_t index) {
                         1.0 * (j - from[1]) / (to[1] - from[1])};
     return describes(corners, fraction, nodeAt(i, j));
   };
-  if (!isDescribed(columns[1], rows[1])) return divide(index, false);
+  if (!isDescribed(columns[1], rows[1])) {
+    if (side <= kFew && parts_ == Parts::DownToTwo)
+      cells_[index].isUneven = true;
+    else
+      divide(index, false);
+    return;
+  }
   // In a cell of few texels no more is asked.
-  if (std::max(to[0] - from[0], to[1] - from[1]) <= kFew) return;
+  if (side <= kFew) return;
   bool areDescribed = true;
   for (const int j : rows)
     for (const int i : columns) areDescribed = areDescribed && isDescribed(i, j);

@@ -14,13 +14,14 @@ namespace hearth {
 
 /// Values that change gradually over the texels of a surface. They are found at the nodes of a
 /// lattice, at corners of texels, and interpolated between these. A cell that its corners do not
-/// describe well enough is divided, down to texels; if that is not enough, values are found at the
+/// describe well enough is divided; if the smallest cells are not enough, values are found at the
 /// point itself. Nodes are the same whichever points are asked for, so that parts of a surface get
 /// what the whole does.
 class LightLattice {
  public:
-  /// Which cells are divided.
-  enum class Parts { AsNeeded, None };
+  /// Which cells are divided: as needed, down to cells of one texel or of two by two. Two do if one
+  /// point will be asked for in each texel: its own value takes no more than nodes around it.
+  enum class Parts { None, DownToTwo, DownToOne };
   /// Finds the values at a point, in texel coordinates, of a place that may be moved; false if
   /// there is none.
   using ValuesAt = std::function<bool(Vec2, std::span<double>)>;
