@@ -50,12 +50,13 @@ std::string bakePart(const BakeInParts& bake, PartNumber number, int threads,
                      BakeProgress* progress) {
   BakeProgress unwatched;
   BakeProgress& done = progress ? *progress : unwatched;
-  const Bounces bounces(bake.scene(), bake.settings(), threads);
+  Bounces bounces(bake.scene(), bake.settings(), threads);
   const LevelInTiles level(bounces.scene(), bake.settings(), threads);
   const std::vector<std::size_t> firstTiles = firstTilesOf(number.parts, level.tiles);
   const auto tiles =
       std::span(level.tiles).first(firstTiles[number.part]).subspan(firstTiles[number.part - 1]);
   done.begin(texelsOfTiles(tiles));
+  bounces.find(done);
   const TileBaker baker(bounces, bake.settings(), level, tiles, threads);
   std::vector<std::string> sums(tiles.size());
   const std::vector<std::size_t> order = byFallingCost(tiles);

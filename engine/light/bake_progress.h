@@ -13,6 +13,8 @@ class BakeProgress {
   std::int64_t texelsDone() const { return done_.load(std::memory_order_relaxed); }
 
   void begin(std::int64_t texels) { texels_.store(texels, std::memory_order_relaxed); }
+  /// More are to be done than was known when it began.
+  void extend(std::int64_t texels) { texels_.fetch_add(texels, std::memory_order_relaxed); }
   void add(std::int64_t texels) { done_.fetch_add(texels, std::memory_order_relaxed); }
 
  private:

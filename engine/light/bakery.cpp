@@ -67,13 +67,14 @@ BakedLight bakeJobs(std::vector<SurfaceTexels> jobs, std::span<const std::uint32
   baked.meshes = std::move(litMeshes);
   baked.lightmaps.resize(baked.surfaces.size());
   baked.surfaceCosts.resize(baked.surfaces.size());
-  const Bounces bounces(unbounced, settings, threads);
+  Bounces bounces(unbounced, settings, threads);
   const Scene scene = bounces.scene();
   baked.lightCosts.resize(scene.lights().size());
   const LightVisibilities visibilities(scene, settings, LightVisibilities::Purpose::Bake,
                                        [&] { return bounces.irradiance(); });
   const MeshLighter lighter(scene, visibilities, settings, threads, meshes, baked.meshes);
   done.begin(texelsOf(jobs) + lighter.texelsOf(meshes));
+  bounces.find(done);
   std::mutex lightCostsMutex;
   parallelFor(jobs.size(), threads, [&](std::size_t job) {
     const auto& [id, texels] = jobs[job];

@@ -67,6 +67,7 @@ class Rebake::Baker {
   Plan planFor(SurfaceId id) const;
   void takeKnown(const Surface& old, Plan& plan) const;
   std::shared_ptr<const Mesh> knownMesh(std::uint32_t mesh) const;
+  bool needBounced() const;
   std::vector<std::size_t> byFallingWork() const;
   std::size_t lightsAtOnce(SurfaceId id) const;
   std::int64_t texelsOfRounds() const;
@@ -252,6 +253,7 @@ std::vector<std::size_t> Rebake::Baker::byFallingWork() const {
 std::optional<BakedLight> Rebake::Baker::finish(BakeProgress& progress,
                                                 const std::stop_token& stop) {
   progress.begin(texelsOfRounds() + lighter_.texelsOf(meshesLeft_));
+  if (needBounced() && !bounces_.find(progress, stop)) return std::nullopt;
   std::vector<std::shared_ptr<const Surface>> surfaces(surfaces_.size());
   const std::vector<std::size_t> order = byFallingWork();
   parallelFor(order.size(), threads_, [&](std::size_t job) {
@@ -267,6 +269,16 @@ std::optional<BakedLight> Rebake::Baker::finish(BakeProgress& progress,
   remember(surfaces, meshes);
   if (!isWhole) return std::nullopt;
   return collect(surfaces, meshes);
+}
+
+/// Whether anything is left that light bounces to. Sprites are always lit anew.
+bool Rebake::Baker::needBounced() const {
+  return bounces_.haveLight() &&
+         (!meshesLeft_.empty() || !scene_.level().sprites.empty() ||
+          std::ranges::any_of(plans_, [this](const Plan& plan) {
+            return std::ranges::any_of(
+                plan.left, [this](std::size_t light) { return scene_.lights()[light].isArea(); });
+          }));
 }
 
 /// So that the sums of the lights take no more than 32 MB.

@@ -5,10 +5,15 @@
 
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <stop_token>
 #include <string>
 #include <vector>
 
 #include "light/bake_part.h"
+#include "light/bake_progress.h"
+#include "light/bakery.h"
+#include "light/baking/bounces.h"
 #include "light/light_hash.h"
 #include "light/rebake.h"
 #include "same_bakes.h"
@@ -140,6 +145,32 @@ TEST(Bounces, GiveTheSameBytesWithAnyThreadsInPartsAndInRebakes) {
 }
 
 /// Light beyond full brightness need not be known to a level.
+TEST(Bounces, CountWhatReflectsAsTexelsOfTheBake) {
+  const auto texelsOf = [](int bounces) {
+    const LoadedLevel room = levelFrom(cornerRoom("#999999"), lampText(bounces));
+    BakeProgress progress;
+    bake(room.scene(), room.level.bake, 2, &progress);
+    EXPECT_EQ(progress.texelsDone(), progress.texels()) << bounces;
+    return progress.texels();
+  };
+  const std::int64_t direct = texelsOf(0);
+  const std::int64_t once = texelsOf(1);
+  EXPECT_GT(once, direct);
+  EXPECT_EQ(texelsOf(3) - direct, 3 * (once - direct));
+}
+
+TEST(Bounces, CanBeStoppedAndFoundLater) {
+  const LoadedLevel room = levelFrom(cornerRoom("#999999"), lampText(3));
+  Bounces bounces(room.scene(), room.level.bake, 2);
+  BakeProgress progress;
+  std::stop_source stop;
+  stop.request_stop();
+  EXPECT_FALSE(bounces.find(progress, stop.get_token()));
+  EXPECT_EQ(progress.texelsDone(), 0);
+  EXPECT_TRUE(bounces.find(progress));
+  EXPECT_NE(bounces.irradiance(), nullptr);
+}
+
 TEST(Bounces, TakeNoMoreSlicesOfALightHoweverBrightItIs) {
   const auto slicesOf = [](std::string_view intensity) {
     const LoadedLevel level =

@@ -267,19 +267,24 @@ template std::optional<Lightmap> finishedLightmap(const PatchPlaces&, LightmapBu
                                                   const BakeSettings&);
 
 template <typename Lit>
-TexelSums sumsOfTile(Lit& surface, const TexelRect& tile, const BakeSettings& settings) {
+TexelSums sumsOfTile(Lit& surface, const TexelRect& tile, const BakeSettings& settings,
+                     const std::stop_token& stop) {
   const UsedTexels texels(surface.surface(), tile);
   const auto used = texels.around(tile);
   if (!used) return {{tile.i0, tile.j0, 0, 0}, 1};
   TexelSums sums(*used, surface.channels());
   const auto all = [&](std::size_t) -> TexelSums& { return sums; };
-  for (const TexelRect& part : tilesOf(texels))
-    addLightsToTile(surface, texels, part, surface.facing(), settings, all, nullptr, {});
+  for (const TexelRect& part : tilesOf(texels)) {
+    if (stop.stop_requested()) break;
+    addLightsToTile(surface, texels, part, surface.facing(), settings, all, nullptr, stop);
+  }
   return sums;
 }
 
-template TexelSums sumsOfTile(SurfaceLight&, const TexelRect&, const BakeSettings&);
-template TexelSums sumsOfTile(PatchLight&, const TexelRect&, const BakeSettings&);
+template TexelSums sumsOfTile(SurfaceLight&, const TexelRect&, const BakeSettings&,
+                              const std::stop_token&);
+template TexelSums sumsOfTile(PatchLight&, const TexelRect&, const BakeSettings&,
+                              const std::stop_token&);
 
 template <typename Lit>
 std::optional<Lightmap> bakeSurface(Lit& surface, const TexelRect& rect,

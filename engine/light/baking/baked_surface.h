@@ -53,9 +53,11 @@ template <typename Lit>
 std::optional<Lightmap> bakeSurface(Lit& surface, const TexelRect& rect,
                                     const BakeSettings& settings, BakeProgress& progress);
 
-/// The sums of all facing lights in a tile of the surface's texels.
+/// The sums of all facing lights in a tile of the surface's texels. After a request to stop, some
+/// of their light is missing.
 template <typename Lit>
-TexelSums sumsOfTile(Lit& surface, const TexelRect& tile, const BakeSettings& settings);
+TexelSums sumsOfTile(Lit& surface, const TexelRect& tile, const BakeSettings& settings,
+                     const std::stop_token& stop = {});
 
 /// Used texels that take the light of others because none of their samples counts. `Places` here
 /// and below is SurfacePlaces or PatchPlaces.

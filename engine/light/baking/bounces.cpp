@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "light/baking/irradiance_bake.h"
+#include "math/check.h"
 
 namespace hearth {
 
@@ -43,24 +44,31 @@ Bounces::Bounces(const Scene& scene, const BakeSettings& settings, int threads)
       lights_(settings.bounces > 0 && !scene.level().lights.empty() ? withBounced(scene.level())
                                                                     : scene.level().lights) {}
 
+bool Bounces::find(BakeProgress& progress, const std::stop_token& stop) {
+  if (!haveLight() || irradiance_) return true;
+  const std::vector<LightSource> bounced(lights_.begin() + std::ssize(scene_.level().lights),
+                                         lights_.end());
+  const IrradianceBake bake(scene_, settings_, threads_);
+  progress.extend(bake.texels() * settings_.bounces);
+  auto last = bake.lightOf(scene_, nullptr, progress, stop);
+  if (!last) return false;
+  LightOfPieces sum = *last;
+  // Of each bounce alone: it is dimmer and more even than the one before, and so found faster.
+  for (int bounce = 1; bounce < settings_.bounces; ++bounce) {
+    const Irradiance reflected = bake.irradiance(*last);
+    last = bake.lightOf(scene_.litBy(bounced), &reflected, progress, stop);
+    if (!last) return false;
+    LightOfPieces all = *last;
+    all.add(sum);
+    sum = std::move(all);
+  }
+  irradiance_.emplace(bake.irradiance(sum));
+  return true;
+}
+
 const Irradiance* Bounces::irradiance() const {
-  if (lights_.size() == scene_.level().lights.size()) return nullptr;
-  std::call_once(once_, [this] {
-    const std::vector<LightSource> bounced(lights_.begin() + std::ssize(scene_.level().lights),
-                                           lights_.end());
-    const IrradianceBake bake(scene_, settings_, threads_);
-    LightOfPieces last = bake.lightOf(scene_, nullptr);
-    LightOfPieces sum = last;
-    // Of each bounce alone: it is dimmer and more even than the one before, and so found faster.
-    for (int bounce = 1; bounce < settings_.bounces; ++bounce) {
-      const Irradiance reflected = bake.irradiance(last);
-      last = bake.lightOf(scene_.litBy(bounced), &reflected);
-      LightOfPieces all = last;
-      all.add(sum);
-      sum = std::move(all);
-    }
-    irradiance_.emplace(bake.irradiance(sum));
-  });
+  if (!haveLight()) return nullptr;
+  CHECK(irradiance_.has_value(), settings_.bounces);
   return &*irradiance_;
 }
 

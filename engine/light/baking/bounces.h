@@ -1,11 +1,12 @@
 #pragma once
 
-#include <mutex>
 #include <optional>
+#include <stop_token>
 #include <vector>
 
 #include "level/bake_settings.h"
 #include "level/scene.h"
+#include "light/bake_progress.h"
 #include "light/gather/irradiance.h"
 
 namespace hearth {
@@ -23,8 +24,13 @@ class Bounces {
 
   /// The scene, lit by this light, too, if there is any. Not valid beyond this object.
   Scene scene() const { return scene_.litBy(lights_); }
-  /// What the last bounce reflects; null without bounces. The first call finds it; any thread may
-  /// call it.
+  /// Whether any light bounces.
+  bool haveLight() const { return lights_.size() > scene_.level().lights.size(); }
+
+  /// Finds what the last bounce reflects, unless it is known: needed before anything asks for it.
+  /// False after a request to stop. Extends the progress by the texels that it needs for that.
+  bool find(BakeProgress& progress, const std::stop_token& stop = {});
+  /// That; null if no light bounces.
   const Irradiance* irradiance() const;
 
  private:
@@ -32,8 +38,7 @@ class Bounces {
   BakeSettings settings_;
   int threads_;
   std::vector<LightSource> lights_;
-  mutable std::once_flag once_;
-  mutable std::optional<Irradiance> irradiance_;
+  std::optional<Irradiance> irradiance_;
 };
 
 }  // namespace hearth

@@ -101,32 +101,45 @@ IrradianceBake::IrradianceBake(const Scene& scene, const BakeSettings& settings,
                            [this](const Piece& piece) { return piece.texels(surfaces_); });
 }
 
-LightOfPieces IrradianceBake::lightOf(const Scene& scene, const Irradiance* irradiance) const {
+std::int64_t IrradianceBake::texels() const {
+  std::int64_t texels = 0;
+  for (const Piece& piece : pieces_) texels += piece.texels(surfaces_);
+  return texels;
+}
+
+std::optional<LightOfPieces> IrradianceBake::lightOf(const Scene& scene,
+                                                     const Irradiance* irradiance,
+                                                     BakeProgress& progress,
+                                                     const std::stop_token& stop) const {
   const LightVisibilities visibilities(scene, settings_, LightVisibilities::Purpose::Source,
                                        [irradiance] { return irradiance; });
   const MeshLighter meshes(scene, visibilities, settings_, threads_, allMeshes(scene.level()),
                            meshes_);
   std::vector<std::optional<TexelSums>> found(pieces_.size());
-  parallelFor(pieces_.size(), threads_,
-              [&](std::size_t i) { found[i] = lightOf(pieces_[i], scene, visibilities, meshes); });
+  parallelFor(pieces_.size(), threads_, [&](std::size_t i) {
+    if (stop.stop_requested()) return;
+    found[i] = lightOf(pieces_[i], scene, visibilities, meshes, stop);
+    progress.add(pieces_[i].texels(surfaces_));
+  });
+  if (stop.stop_requested()) return std::nullopt;
   LightOfPieces light;
   for (std::optional<TexelSums>& sums : found) light.sums.push_back(*std::move(sums));
   return light;
 }
 
 TexelSums IrradianceBake::lightOf(const Piece& piece, const Scene& scene,
-                                  const LightVisibilities& visibilities,
-                                  const MeshLighter& meshes) const {
+                                  const LightVisibilities& visibilities, const MeshLighter& meshes,
+                                  const std::stop_token& stop) const {
   if (!piece.isOfMesh()) {
     SurfaceLight surface(scene, surfaces_, visibilities, settings_.lambert, piece.surface);
-    return sumsOfTile(surface, surface.surface().texels, settings_);
+    return sumsOfTile(surface, surface.surface().texels, settings_, stop);
   }
   const MeshPlace place = meshes.placeOf(scene.level().meshIndexOf(piece.surface));
   if (!piece.patch)
     return CornerLight(scene, visibilities, settings_.lambert, place).find(piece.faces);
   const LitSurfaces patch{piece.patch->surface};
   PatchLight lit(scene, visibilities, settings_.lambert, place, patch);
-  return sumsOfTile(lit, lit.surface().texels, settings_);
+  return sumsOfTile(lit, lit.surface().texels, settings_, stop);
 }
 
 Irradiance IrradianceBake::irradiance(const LightOfPieces& light) const {

@@ -1,11 +1,14 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
+#include <stop_token>
 #include <vector>
 
 #include "level/bake_settings.h"
 #include "level/scene.h"
+#include "light/bake_progress.h"
 #include "light/baking/light_visibility.h"
 #include "light/baking/mesh_light.h"
 #include "light/baking/texel_sums.h"
@@ -30,8 +33,13 @@ class IrradianceBake {
   /// Of texels for a bake of `settings`. Keeps references to the scene's parts.
   IrradianceBake(const Scene& scene, const BakeSettings& settings, int threads);
 
-  /// Of all lights of a scene; `irradiance` is what light bounces, if any does.
-  LightOfPieces lightOf(const Scene& scene, const Irradiance* irradiance) const;
+  /// That it finds the light of.
+  std::int64_t texels() const;
+
+  /// Of all lights of a scene; `irradiance` is what light bounces, if any does. None after a
+  /// request to stop.
+  std::optional<LightOfPieces> lightOf(const Scene& scene, const Irradiance* irradiance,
+                                       BakeProgress& progress, const std::stop_token& stop) const;
   Irradiance irradiance(const LightOfPieces& light) const;
 
  private:
@@ -46,7 +54,7 @@ class IrradianceBake {
   };
 
   TexelSums lightOf(const Piece& piece, const Scene& scene, const LightVisibilities& visibilities,
-                    const MeshLighter& meshes) const;
+                    const MeshLighter& meshes, const std::stop_token& stop) const;
 
   Scene scene_;
   BakeSettings settings_;
