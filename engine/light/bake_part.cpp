@@ -56,7 +56,7 @@ std::string bakePart(const BakeInParts& bake, PartNumber number, int threads,
   const auto tiles =
       std::span(level.tiles).first(firstTiles[number.part]).subspan(firstTiles[number.part - 1]);
   done.begin(texelsOfTiles(tiles));
-  bounces.find(done);
+  if (!tiles.empty()) bounces.find(done);
   const TileBaker baker(bounces, bake.settings(), level, tiles, threads);
   std::vector<std::string> sums(tiles.size());
   const std::vector<std::size_t> order = byFallingCost(tiles);

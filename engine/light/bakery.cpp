@@ -74,7 +74,7 @@ BakedLight bakeJobs(std::vector<SurfaceTexels> jobs, std::span<const std::uint32
                                        [&] { return bounces.irradiance(); });
   const MeshLighter lighter(scene, visibilities, settings, threads, meshes, baked.meshes);
   done.begin(texelsOf(jobs) + lighter.texelsOf(meshes));
-  bounces.find(done);
+  if (!jobs.empty() || !meshes.empty() || !scene.level().sprites.empty()) bounces.find(done);
   std::mutex lightCostsMutex;
   parallelFor(jobs.size(), threads, [&](std::size_t job) {
     const auto& [id, texels] = jobs[job];

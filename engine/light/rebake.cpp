@@ -271,7 +271,8 @@ std::optional<BakedLight> Rebake::Baker::finish(BakeProgress& progress,
   return collect(surfaces, meshes);
 }
 
-/// Whether anything is left that light bounces to. Sprites are always lit anew.
+/// Whether anything is left that light bounces to. The light of all areas is found together;
+/// sprites are always lit anew.
 bool Rebake::Baker::needBounced() const {
   return bounces_.haveLight() &&
          (!meshesLeft_.empty() || !scene_.level().sprites.empty() ||

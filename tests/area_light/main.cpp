@@ -58,7 +58,9 @@ int main(int argc, char** argv) {
   bool haveBounces = false;
   int threads = hearth::availableThreads();
   app.add_option("LEVEL", files, "level files; default: random levels");
-  app.add_option("--places", places, "texels of each of the files")->capture_default_str();
+  app.add_option("--places", places, "texels of each of the files")
+      ->check(CLI::Range(1, 1000000))
+      ->capture_default_str();
   app.add_option("--levels", count, "random levels")->capture_default_str();
   app.add_option("--seed", firstSeed, "seed of the first")->capture_default_str();
   app.add_flag("--emitters", haveEmitters, "surfaces shine instead of the sky");

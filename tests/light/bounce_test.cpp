@@ -144,7 +144,6 @@ TEST(Bounces, GiveTheSameBytesWithAnyThreadsInPartsAndInRebakes) {
   EXPECT_NE(lightHash(level.scene(), settings), lightHash(white.scene(), settings));
 }
 
-/// Light beyond full brightness need not be known to a level.
 TEST(Bounces, CountWhatReflectsAsTexelsOfTheBake) {
   const auto texelsOf = [](int bounces) {
     const LoadedLevel room = levelFrom(cornerRoom("#999999"), lampText(bounces));
@@ -171,6 +170,7 @@ TEST(Bounces, CanBeStoppedAndFoundLater) {
   EXPECT_NE(bounces.irradiance(), nullptr);
 }
 
+/// Light beyond full brightness need not be known to a level.
 TEST(Bounces, TakeNoMoreSlicesOfALightHoweverBrightItIs) {
   const auto slicesOf = [](std::string_view intensity) {
     const LoadedLevel level =

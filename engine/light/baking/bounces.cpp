@@ -58,6 +58,7 @@ bool Bounces::find(BakeProgress& progress, const std::stop_token& stop) {
     const Irradiance reflected = bake.irradiance(*last);
     last = bake.lightOf(scene_.litBy(bounced), &reflected, progress, stop);
     if (!last) return false;
+    // White light can be added to coloured light, which what bounces may be.
     LightOfPieces all = *last;
     all.add(sum);
     sum = std::move(all);
