@@ -960,7 +960,7 @@ class Import(InFolder):
         self.assertIn(f"{made['walls']} walls of {made['of']['lines']} lines, "
                       f"{made['sprites']} sprites of {made['of']['things']} things, "
                       f"{made['lights']} lights, {made['textures']} textures, ", text)
-        self.assertIn(f" textures, {made['movers']} movers that {made['starters']} lines start; ", text)
+        self.assertIn(f" textures, {made['emitters']} emitters, {made['movers']} movers that {made['starters']} lines start; ", text)
         for reason, count in made["leftOut"].items():
             self.assertRegex(text, f"  {count} lines? left out: {reason}\n")
         self.assertGreater(len(made["leftOut"]), 2)
@@ -1041,6 +1041,15 @@ class Import(InFolder):
         self.run_import("MAP01", "--light-table", table)
         lights = json.loads((self.folder / "maps/map01.lights.json").read_text())["lights"]
         self.assertEqual([light["color"] for light in lights], ["#123456"])
+
+    def test_lets_areas_shine(self):
+        [made] = json.loads(self.run_import("MAP01", "--area-lights", "--json").stdout)
+        lights = json.loads((self.folder / "maps/map01.lights.json").read_text())
+        self.assertEqual(len(lights["emit"]), made["emitters"])
+        self.assertEqual(len(lights["lights"]), made["lights"])
+        self.assertGreater(made["emitters"], 5)
+        self.assertEqual(len(lights["suns"]), 1)
+        self.assertGreater(lights["sky"]["intensity"], 0)
 
     def test_says_what_is_wrong(self):
         table = self.folder / "table.json"

@@ -64,10 +64,11 @@ std::map<std::string, std::size_t> countLeftOut(const Imported& imported) {
 void print(const Imported& imported) {
   fmt::print(
       "{}: {} sectors of {}, {} walls of {} lines, {} sprites of {} things, {} lights, {} "
-      "textures, {} movers that {} lines start; {} repaired, {} dropped\n",
+      "textures, {} emitters, {} movers that {} lines start; {} repaired, {} dropped\n",
       imported.level.string(), imported.sectors, imported.mapSectors, imported.walls,
       imported.lines, imported.sprites, imported.mapThings, imported.lights, imported.textures,
-      imported.movers, countStarters(imported), countOf(imported.findings, doom::Outcome::Repaired),
+      imported.emitters, imported.movers, countStarters(imported),
+      countOf(imported.findings, doom::Outcome::Repaired),
       countOf(imported.findings, doom::Outcome::Dropped));
   for (const auto& [reason, count] : countLeftOut(imported))
     fmt::print("  {} line{} left out: {}\n", count, count == 1 ? "" : "s", reason);
@@ -98,6 +99,7 @@ Json jsonOf(const Imported& imported) {
           {"sprites", imported.sprites},
           {"lights", imported.lights},
           {"textures", imported.textures},
+          {"emitters", imported.emitters},
           {"movers", imported.movers},
           {"starters", countStarters(imported)},
           {"leftOut", std::move(leftOut)},
@@ -141,6 +143,7 @@ doom::ImportSettings settingsFrom(const OptionValues& values) {
   const auto doors = values.text(Option::Doors);
   if (doors == "open") settings.doors = doom::Doors::Open;
   if (doors == "closed") settings.doors = doom::Doors::Closed;
+  if (values.has(Option::AreaLights)) settings.lightFrom = doom::LightFrom::Areas;
   settings.ambient = values.number(Option::Ambient).value_or(settings.ambient);
   if (const auto skill = values.number(Option::Skill))
     settings.things.game.skill = static_cast<int>(*skill);
@@ -195,8 +198,9 @@ Command importCommand() {
   return {
       "import",
       "turns maps of a WAD of Doom into levels with their textures",
-      {Option::Output, Option::Iwad, Option::Doors, Option::Ambient, Option::LightTable,
-       Option::Skill, Option::Multiplayer, Option::Monsters, Option::Json, Option::MaxFileBytes},
+      {Option::Output, Option::Iwad, Option::Doors, Option::Ambient, Option::AreaLights,
+       Option::LightTable, Option::Skill, Option::Multiplayer, Option::Monsters, Option::Json,
+       Option::MaxFileBytes},
       {},
       runImport,
       LevelFiles::Several,

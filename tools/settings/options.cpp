@@ -108,6 +108,8 @@ constexpr std::array kTable = {
               "where they are open"},
     OptionRow{Option::Ambient, "--ambient", ValueKind::Number, "FRACTION", 0, 1, "0.75",
               "the part of the light of a map's sectors that is everywhere in them"},
+    OptionRow{Option::AreaLights, "--area-lights", ValueKind::Flag, "", 0, 0, "",
+              "the textures and flats that shine do so all over, and so do the sky and a sun"},
     OptionRow{Option::LightTable, "--light-table", ValueKind::Text, "FILE", 0, 0, "its own",
               "JSON that says which things, textures and flats of a map shine, and how"},
     OptionRow{

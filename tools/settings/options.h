@@ -56,6 +56,7 @@ enum class Option {
   Movers,
   Doors,
   Ambient,
+  AreaLights,
   LightTable,
   Skill,
   Multiplayer,

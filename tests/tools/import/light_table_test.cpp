@@ -14,8 +14,11 @@ std::string mistakeIn(std::string_view json) {
 
 TEST(LightTable, readsAllKeys) {
   const auto table = parseLightTable(R"({ "//": "mine", "things": { "2028": { "//": "lamp",
-    "color": "#102030", "intensity": 1, "falloff": 2, "reach": 3, "height": 4, "every": 5 } },
-    "walls": { "LITE3": {} }, "flats": { "LAVA1": { "reach": 7 } } })");
+    "color": "#102030", "intensity": 1, "falloff": 2, "reach": 3, "height": 4, "every": 5,
+    "emit": 6 } },
+    "walls": { "LITE3": {} }, "flats": { "LAVA1": { "reach": 7 } },
+    "sky": { "color": "#203040", "intensity": 8 },
+    "sun": { "color": "#304050", "angle": -9, "pitch": 10, "intensity": 11, "size": 12 } })");
   ASSERT_TRUE(table) << table.error();
   const Glow& lamp = table->things.at(2028);
   EXPECT_EQ(lamp.color, "#102030");
@@ -24,7 +27,17 @@ TEST(LightTable, readsAllKeys) {
   EXPECT_EQ(lamp.reach, 3);
   EXPECT_EQ(lamp.height, 4);
   EXPECT_EQ(lamp.every, 5);
+  EXPECT_EQ(lamp.emit, 6);
+  EXPECT_EQ(table->sky.color, "#203040");
+  EXPECT_EQ(table->sky.intensity, 8);
+  ASSERT_TRUE(table->sun);
+  EXPECT_EQ(table->sun->color, "#304050");
+  EXPECT_EQ(table->sun->angle, -9);
+  EXPECT_EQ(table->sun->pitch, 10);
+  EXPECT_EQ(table->sun->intensity, 11);
+  EXPECT_EQ(table->sun->size, 12);
   EXPECT_EQ(table->walls.at("LITE3").color, "#ffffff");
+  EXPECT_EQ(table->walls.at("LITE3").emit, 0);
   EXPECT_EQ(table->flats.at("LAVA1").reach, 7);
 }
 
@@ -41,6 +54,11 @@ TEST(LightTable, saysWhereItsMistakesAre) {
   EXPECT_TRUE(mistakeIn(R"({"walls": {"A": {"falloff": -1}}})").starts_with("/walls/A/falloff: "));
   EXPECT_TRUE(mistakeIn(R"({"walls": {"A": {"every": 0.2}}})").starts_with("/walls/A/every: "));
   EXPECT_TRUE(mistakeIn(R"({"walls": {"A": {"reach": 1e300}}})").starts_with("/walls/A/reach: "));
+  EXPECT_TRUE(mistakeIn(R"({"walls": {"A": {"emit": -1}}})").starts_with("/walls/A/emit: "));
+  EXPECT_TRUE(mistakeIn(R"({"sky": 1})").starts_with("/sky: "));
+  EXPECT_TRUE(mistakeIn(R"({"sky": {"size": 1}})").starts_with("/sky/size: there is no such key"));
+  EXPECT_TRUE(mistakeIn(R"({"sun": {"pitch": 0}})").starts_with("/sun/pitch: "));
+  EXPECT_TRUE(mistakeIn(R"({"sun": {"size": 21}})").starts_with("/sun/size: "));
   EXPECT_TRUE(mistakeIn(R"({"flats": {"A": {"reach": "1"}}})").starts_with("/flats/A/reach: "));
 }
 
@@ -51,6 +69,15 @@ TEST(LightTable, ofTheProgramHasAllLampsAndFires) {
   for (const std::uint16_t thing :
        std::initializer_list<std::uint16_t>{2028, 85, 86, 34, 35, 44, 45, 46, 55, 56, 57, 70})
     EXPECT_TRUE(table->things.contains(thing)) << thing;
+}
+
+TEST(LightTable, ofTheProgramHasASkyASunAndEmittersOfAllSurfaces) {
+  const auto table = parseLightTable(ownLightTable());
+  ASSERT_TRUE(table) << table.error();
+  EXPECT_GT(table->sky.intensity, 0);
+  EXPECT_TRUE(table->sun);
+  for (const auto* surfaces : {&table->walls, &table->flats})
+    for (const auto& [name, glow] : *surfaces) EXPECT_GT(glow.emit, 0) << name;
 }
 
 TEST(LightTable, ofTheProgramHasLitTexturesAndLava) {

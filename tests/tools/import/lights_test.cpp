@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "map_builder.h"
+#include "pictures_builder.h"
 
 namespace hearth::doom {
 
@@ -16,16 +17,33 @@ using Json = nlohmann::ordered_json;
 /// A centimetre or so, by which lights are off the places of the map.
 constexpr double kBeside = 0.02;
 
+WadBuilder picturesWad() {
+  WadBuilder wad;
+  wad.add("PLAYPAL", palette()).add("PNAMES", patchNames({"PATCH"}));
+  wad.add("TEXTURE1", texturesOf({definition("LITE", 8, 8, {{0, 0, 0}})}));
+  wad.add("PATCH", plainPatch(8, 8, 9));
+  return wad.add("F_START").add("LAVA", flatOf(1)).add("F_END");
+}
+
 class LightsOfAMap : public testing::Test, protected MapBuilder {
  protected:
-  Json lights() {
-    findings_.clear();
-    return lightsJson(GroundPlan::of(map, Doors::Open, findings_).value(), table_, game_,
-                      findings_)["lights"];
-  }
+  LightsOfAMap() : wad_(opened(picturesWad())), pictures_(*Pictures::read(wad_)) {}
 
+  /// With the images of LITE and LAVA.
+  Json file() {
+    findings_.clear();
+    Materials materials(pictures_, map.name, findings_);
+    materials.wall("LITE", {});
+    materials.flat("LAVA");
+    return lightsJson(GroundPlan::of(map, Doors::Open, findings_).value(), table_, materials,
+                      settings_, findings_);
+  }
+  Json lights() { return file()["lights"]; }
+
+  Wad wad_;
+  Pictures pictures_;
   LightTable table_;
-  Game game_;
+  LightSettings settings_;
   Findings findings_;
 };
 
@@ -64,7 +82,7 @@ TEST_F(LightsOfAMap, areOfTheThingsOfTheGame) {
   map.things.push_back({64, 96, 0, 2028, 4});
   map.things.push_back({64, 96, 0, 2028, 7 | 16});
   EXPECT_EQ(lights().size(), 0U);
-  game_ = {.skill = 5, .isMultiplayer = true};
+  settings_.game = {.skill = 5, .isMultiplayer = true};
   EXPECT_EQ(lights().size(), 2U);
 }
 
@@ -174,6 +192,67 @@ TEST_F(LightsOfAMap, areNoneInClosedSectors) {
   map.sectors[0].ceilingFlat = "TLITE";
   table_.flats["TLITE"] = {};
   EXPECT_TRUE(lights().empty());
+}
+
+/// A room with a wall, a floor and a thing that shine.
+class AreaLightsOfAMap : public LightsOfAMap {
+ protected:
+  AreaLightsOfAMap() {
+    walls(sector(0, 128), square(0, 0, 256));
+    map.sides[0].middle = "LITE";
+    map.sectors[0].floorFlat = "LAVA";
+    map.things.push_back({64, 96, 0, 2028, 7});
+    table_.walls["LITE"] = {.color = "#4060ff", .emit = 300};
+    table_.flats["LAVA"] = {.color = "#ff4000", .emit = 150};
+    table_.things[2028] = {.emit = 100};
+    table_.sky = {.color = "#c0d0ff", .intensity = 70};
+    table_.sun = {.angle = 120, .pitch = 40, .color = "#fff0d0", .intensity = 110, .size = 1};
+    settings_.from = LightFrom::Areas;
+  }
+};
+
+TEST_F(AreaLightsOfAMap, areItsWallsAndFlatsThemselves) {
+  const Json made = file();
+  EXPECT_EQ(made["emit"], (Json{{"wall-lite", {{"intensity", 300.0}, {"color", "#4060ff"}}},
+                                {"flat-lava", {{"intensity", 150.0}, {"color", "#ff4000"}}}}));
+  EXPECT_EQ(made["lights"].size(), 1U) << "the thing";
+}
+
+TEST_F(AreaLightsOfAMap, stayPointsWhereTheTableHasNoEmission) {
+  table_.walls["LITE"].emit = 0;
+  const Json made = file();
+  EXPECT_FALSE(made["emit"].contains("wall-lite"));
+  EXPECT_GT(made["lights"].size(), 1U);
+}
+
+TEST_F(AreaLightsOfAMap, areNoneOfImagesThatCannotBeDrawn) {
+  map.sides[0].middle = "NONE";
+  table_.walls["NONE"] = {.emit = 300};
+  EXPECT_FALSE(file()["emit"].contains("wall-none"));
+}
+
+TEST_F(AreaLightsOfAMap, areTheSkyAndASunWhereItHasASky) {
+  EXPECT_FALSE(file().contains("sky"));
+  EXPECT_FALSE(file().contains("suns"));
+  map.sectors[0].ceilingFlat = kSkyFlat;
+  const Json made = file();
+  EXPECT_EQ(made["sky"], (Json{{"intensity", 70.0}, {"color", "#c0d0ff"}}));
+  EXPECT_EQ(made["suns"], (Json{{{"angle", 120.0},
+                                 {"pitch", 40.0},
+                                 {"intensity", 110.0},
+                                 {"color", "#fff0d0"},
+                                 {"size", 1.0}}}));
+  table_.sun.reset();
+  table_.sky.intensity = 0;
+  EXPECT_FALSE(file().contains("sky"));
+  EXPECT_FALSE(file().contains("suns"));
+}
+
+TEST_F(AreaLightsOfAMap, areAskedFor) {
+  settings_.from = LightFrom::Points;
+  map.sectors[0].ceilingFlat = kSkyFlat;
+  const Json made = file();
+  for (const char* key : {"emit", "sky", "suns"}) EXPECT_FALSE(made.contains(key)) << key;
 }
 
 }  // namespace

@@ -85,7 +85,8 @@ tl::expected<Converted, std::string> convertMap(const Source& source, const std:
   if (!things.empty()) level["things"] = std::move(things);
   level["$things"] = allThingsJson(*map);
   const Json lights =
-      lightsJson(*plan, source.lights, settings.things.game, imported.findings, settings.lights);
+      lightsJson(*plan, source.lights, materials,
+                 {settings.things.game, settings.lightFrom, settings.lights}, imported.findings);
 
   imported.map = name;
   imported.level = stemFor(settings.folder, name) += ".json";
@@ -96,6 +97,7 @@ tl::expected<Converted, std::string> convertMap(const Source& source, const std:
     for (const auto& loop : region.loops) imported.walls += loop.size();
   imported.mapThings = map->things.size();
   imported.lights = lights["lights"].size();
+  imported.emitters = lights.contains("emit") ? lights["emit"].size() : 0;
   imported.textures = materials.count();
   imported.movers = plan->movers().movers.size();
   imported.specials = plan->movers().lines;

@@ -29,7 +29,8 @@ struct ImportSettings {
   double ambient = 0.75;
   ThingSettings things{};
   std::size_t imagePixels = kMaxPixels;  ///< of all its images together
-  std::size_t lights = kMaxLights;       ///< at most
+  LightFrom lightFrom = LightFrom::Points;
+  std::size_t lights = kMaxLights;  ///< at points, at most
 };
 
 /// The result of importing one map.
@@ -43,7 +44,8 @@ struct Imported {
   std::size_t walls = 0;
   std::size_t mapThings = 0;
   std::size_t sprites = 0;
-  std::size_t lights = 0;
+  std::size_t lights = 0;  ///< at points
+  std::size_t emitters = 0;
   std::size_t textures = 0;
   std::size_t movers = 0;
   std::vector<LineFate> specials;  ///< all lines of the map that do something; none if frozen

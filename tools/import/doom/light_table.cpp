@@ -4,6 +4,7 @@
 
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -13,17 +14,27 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+template <typename Shining>
 struct NumberKey {
   std::string_view key;
-  double Glow::*member;
+  double Shining::*member;
   double least;
+  double most;
 };
-constexpr std::array kNumbers{
-    NumberKey{"intensity", &Glow::intensity, 0}, NumberKey{"falloff", &Glow::falloff, 0},
-    NumberKey{"reach", &Glow::reach, 0.1}, NumberKey{"height", &Glow::height, 0},
-    NumberKey{"every", &Glow::every, 0.25}};
 
 constexpr double kMax = 1e6;
+
+constexpr std::array kGlowNumbers{NumberKey<Glow>{"intensity", &Glow::intensity, 0, kMax},
+                                  NumberKey<Glow>{"falloff", &Glow::falloff, 0, kMax},
+                                  NumberKey<Glow>{"reach", &Glow::reach, 0.1, kMax},
+                                  NumberKey<Glow>{"height", &Glow::height, 0, kMax},
+                                  NumberKey<Glow>{"every", &Glow::every, 0.25, kMax},
+                                  NumberKey<Glow>{"emit", &Glow::emit, 0, kMax}};
+constexpr std::array kSkyNumbers{NumberKey<SkyGlow>{"intensity", &SkyGlow::intensity, 0, kMax}};
+constexpr std::array kSunNumbers{NumberKey<SunGlow>{"angle", &SunGlow::angle, -kMax, kMax},
+                                 NumberKey<SunGlow>{"pitch", &SunGlow::pitch, 1, 90},
+                                 NumberKey<SunGlow>{"intensity", &SunGlow::intensity, 0, kMax},
+                                 NumberKey<SunGlow>{"size", &SunGlow::size, 0, 20}};
 
 bool isComment(const std::string& key) { return key.starts_with("//") || key.starts_with("$"); }
 
@@ -34,22 +45,26 @@ bool isColor(const Json& value) {
          text.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos;
 }
 
-/// What is wrong with one key of a glow, or nothing.
-std::optional<std::string> take(const std::string& key, const Json& value, Glow& glow) {
+/// What is wrong with one key, or nothing. `numbers` are all keys besides the colour.
+template <typename Numbers, typename Shining>
+std::optional<std::string> take(const Numbers& numbers, const std::string& key, const Json& value,
+                                Shining& shining) {
   if (key == "color") {
     if (!isColor(value)) return "write it as \"#rrggbb\"";
-    glow.color = value.get<std::string>();
+    shining.color = value.get<std::string>();
     return std::nullopt;
   }
-  for (const NumberKey& number : kNumbers) {
+  std::string known = "color";
+  for (const auto& number : numbers) {
+    known += fmt::format(", {}", number.key);
     if (key != number.key) continue;
-    const double n = value.is_number() ? value.get<double>() : -1;
-    if (!(n >= number.least && n <= kMax))
-      return fmt::format("write a number of {:g} to {:g}", number.least, kMax);
-    glow.*number.member = n;
+    const double n = value.is_number() ? value.get<double>() : std::nan("");
+    if (!(n >= number.least && n <= number.most))
+      return fmt::format("write a number of {:g} to {:g}", number.least, number.most);
+    shining.*number.member = n;
     return std::nullopt;
   }
-  return "there is no such key: color, intensity, falloff, reach, height and every are known";
+  return fmt::format("there is no such key; these are known: {}", known);
 }
 
 class TableReader {
@@ -58,11 +73,16 @@ class TableReader {
     if (!json.is_object()) return tl::unexpected(std::string("/: it is no JSON object"));
     for (const auto& [group, glows] : json.items()) {
       if (isComment(group)) continue;
-      if (!glows.is_object() || (group != "things" && group != "walls" && group != "flats"))
-        return tl::unexpected(
-            fmt::format("/{}: write objects \"things\", \"walls\" and \"flats\"", group));
-      for (const auto& [name, glow] : glows.items())
-        if (!isComment(name)) readGlow(group, name, glow);
+      if (group == "sky")
+        read(kSkyNumbers, "/sky", glows, table_.sky);
+      else if (group == "sun")
+        read(kSunNumbers, "/sun", glows, table_.sun.emplace());
+      else if (!glows.is_object() || (group != "things" && group != "walls" && group != "flats"))
+        return tl::unexpected(fmt::format(
+            "/{}: write objects \"things\", \"walls\", \"flats\", \"sky\" and \"sun\"", group));
+      else
+        for (const auto& [name, glow] : glows.items())
+          if (!isComment(name)) readGlow(group, name, glow);
     }
     if (mistake_) return tl::unexpected(*mistake_);
     return std::move(table_);
@@ -71,13 +91,8 @@ class TableReader {
  private:
   void readGlow(const std::string& group, const std::string& name, const Json& json) {
     const std::string place = fmt::format("/{}/{}", group, name);
-    if (!json.is_object()) return refuse(place + ": it is no JSON object");
     Glow glow;
-    for (const auto& [key, value] : json.items()) {
-      if (isComment(key)) continue;
-      if (const auto mistake = take(key, value, glow))
-        return refuse(fmt::format("{}/{}: {}", place, key, *mistake));
-    }
+    read(kGlowNumbers, place, json, glow);
     if (group == "walls")
       table_.walls[name] = glow;
     else if (group == "flats")
@@ -86,6 +101,16 @@ class TableReader {
       table_.things[*type] = glow;
     else
       refuse(place + ": things have numbers of 1 to 65535");
+  }
+
+  template <typename Numbers, typename Shining>
+  void read(const Numbers& numbers, const std::string& place, const Json& json, Shining& shining) {
+    if (!json.is_object()) return refuse(place + ": it is no JSON object");
+    for (const auto& [key, value] : json.items()) {
+      if (isComment(key)) continue;
+      if (const auto mistake = take(numbers, key, value, shining))
+        return refuse(fmt::format("{}/{}: {}", place, key, *mistake));
+    }
   }
 
   static std::optional<std::uint16_t> typeOf(const std::string& name) {

@@ -41,22 +41,54 @@ Json curveOf(const Glow& glow) {
 
 class Illuminator {
  public:
-  Illuminator(const GroundPlan& plan, const LightTable& table, const Game& game,
-              std::size_t maxLights, Findings& findings)
-      : plan_(plan), table_(table), game_(game), maxLights_(maxLights), findings_(findings) {}
+  Illuminator(const GroundPlan& plan, const LightTable& table, const Materials& materials,
+              const LightSettings& settings, Findings& findings)
+      : plan_(plan),
+        table_(table),
+        materials_(materials),
+        settings_(settings),
+        findings_(findings) {}
 
-  Json lights() {
+  Json file() {
+    findLights();
+    Json file{{"version", 1}, {"lights", std::move(lights_)}};
+    if (settings_.from == LightFrom::Points) return file;
+    if (isUnderSky_) lightFromSky(file);
+    if (!emit_.empty()) file["emit"] = std::move(emit_);
+    return file;
+  }
+
+ private:
+  void findLights() {
     for (const Thing& thing : plan_.map().things) lightThing(thing);
     for (std::uint32_t region = 0; region < plan_.regions().size(); ++region) {
       if (isClosed(plan_.spaceOf(region))) continue;
+      isUnderSky_ |= plan_.spaceOf(region).isUnderSky;
       for (const auto& loop : plan_.regions()[region].loops)
         for (const std::uint32_t h : loop) lightWall(region, h);
       lightFlats(region, plan_.lastingSpaceOf(region));
     }
-    return std::move(lights_);
   }
 
- private:
+  void lightFromSky(Json& file) const {
+    if (const auto& sun = table_.sun)
+      file["suns"] = {{{"angle", sun->angle},
+                       {"pitch", sun->pitch},
+                       {"intensity", sun->intensity},
+                       {"color", sun->color},
+                       {"size", sun->size}}};
+    if (table_.sky.intensity > 0)
+      file["sky"] = {{"intensity", table_.sky.intensity}, {"color", table_.sky.color}};
+  }
+
+  /// Makes an image an emitter; false if lights are to stand before the surfaces that wear it.
+  bool makeEmitter(const Glow& glow, const std::string& image) {
+    if (settings_.from == LightFrom::Points || glow.emit == 0 || !materials_.find(image))
+      return false;
+    emit_[image] = {{"intensity", glow.emit}, {"color", glow.color}};
+    return true;
+  }
+
   static bool isClosed(const Space& space) { return space.floor == space.ceiling; }
 
   template <typename Key>
@@ -69,7 +101,7 @@ class Illuminator {
     const Glow* glow = find(table_.things, thing.type);
     const Vec2 place = placeOf(thing.x, thing.y);
     const auto region = plan_.regionAt(place);
-    if (!glow || !region || !isThere(thing, game_)) return;
+    if (!glow || !region || !isThere(thing, settings_.game)) return;
     if (isClosed(plan_.spaceOf(*region))) return;
     const Space space = plan_.lastingSpaceOf(*region);
     const double highest = std::max(space.ceiling - kBefore, (space.floor + space.ceiling) / 2);
@@ -84,6 +116,7 @@ class Illuminator {
     for (const ShownPart& part : plan_.shownParts(h)) {
       const Glow* glow = find(table_.walls, part.texture);
       if (!glow || part.bottom == part.top) continue;
+      if (part.part != WallPart::Middle && makeEmitter(*glow, wallImage(part.texture))) continue;
       const int across = partsOf(metres, glow->every);
       const int up = partsOf(part.top - part.bottom, glow->every);
       for (int i = 0; i < across; ++i) {
@@ -118,12 +151,14 @@ class Illuminator {
   void lightFlats(std::uint32_t region, const Space& space) {
     const double gap = std::min(kBefore, (space.ceiling - space.floor) / 2);
     const Sector& sector = plan_.sectorOf(region);
-    if (const Glow* glow = find(table_.flats, sector.ceilingFlat))
-      for (const Vec2 place : placesOn(region, glow->every))
-        add(*glow, region, place, space.ceiling - gap);
-    if (const Glow* glow = find(table_.flats, sector.floorFlat))
-      for (const Vec2 place : placesOn(region, glow->every))
-        add(*glow, region, place, space.floor + gap);
+    lightFlat(region, sector.ceilingFlat, space.ceiling - gap);
+    lightFlat(region, sector.floorFlat, space.floor + gap);
+  }
+
+  void lightFlat(std::uint32_t region, const std::string& flat, double z) {
+    const Glow* glow = find(table_.flats, flat);
+    if (!glow || makeEmitter(*glow, flatImage(flat))) return;
+    for (const Vec2 place : placesOn(region, glow->every)) add(*glow, region, place, z);
   }
 
   /// The middles of the squares of a region; its own where it is hardly more than one.
@@ -147,7 +182,7 @@ class Illuminator {
     for (std::size_t i = 0; i + 1 < walls.size(); i += 2)
       for (double column = std::ceil(walls[i] / every - 0.5); (column + 0.5) * every < walls[i + 1];
            ++column) {
-        if (places.size() > maxLights_) return;
+        if (places.size() > settings_.most) return;
         places.push_back({(column + 0.5) * every, y});
       }
   }
@@ -179,7 +214,7 @@ class Illuminator {
 
   void add(const Glow& glow, std::uint32_t region, Vec2 place, double z) {
     if (isClosed(plan_.lastingSpaceOf(region))) return tellOfClosing(region);
-    if (lights_.size() == maxLights_) return tellOfTooMany(region);
+    if (lights_.size() == settings_.most) return tellOfTooMany(region);
     for (const Vec2 beside : kBeside) {
       const Vec2 p{rounded(place.x + beside.x), rounded(place.y + beside.y)};
       if (!plan_.contains(region, p)) continue;
@@ -204,24 +239,26 @@ class Illuminator {
     if (!std::exchange(hasTooMany_, true))
       findings_.push_back(
           {Outcome::Dropped, Part::Sector, plan_.regions()[region].sector,
-           fmt::format("its lights and those of what follows, after {} others", maxLights_)});
+           fmt::format("its lights and those of what follows, after {} others", settings_.most)});
   }
 
   const GroundPlan& plan_;
   const LightTable& table_;
-  Game game_;
-  std::size_t maxLights_;
+  const Materials& materials_;
+  LightSettings settings_;
   Findings& findings_;
+  bool isUnderSky_ = false;
   bool hasTooMany_ = false;
   std::set<std::uint32_t> closing_;  ///< sectors of the map
   Json lights_ = Json::array();
+  Json emit_ = Json::object();
 };
 
 }  // namespace
 
-Json lightsJson(const GroundPlan& plan, const LightTable& table, const Game& game,
-                Findings& findings, std::size_t maxLights) {
-  return {{"version", 1}, {"lights", Illuminator(plan, table, game, maxLights, findings).lights()}};
+Json lightsJson(const GroundPlan& plan, const LightTable& table, const Materials& materials,
+                const LightSettings& settings, Findings& findings) {
+  return Illuminator(plan, table, materials, settings, findings).file();
 }
 
 }  // namespace hearth::doom

@@ -50,17 +50,21 @@ std::string fileName(const std::string& name) {
   return result;
 }
 
+std::string wallImage(const std::string& texture) { return "wall-" + fileName(texture); }
+
+std::string flatImage(const std::string& flat) { return "flat-" + fileName(flat); }
+
 Materials::Materials(const Pictures& pictures, const std::string& map, Findings& findings,
                      std::size_t maxPixels)
     : pictures_(pictures), skyName_(skyOf(map)), findings_(findings), pixelsLeft_(maxPixels) {}
 
 Json Materials::wall(const std::string& name, const Hanging& hanging) {
-  const std::string file = "wall-" + fileName(name);
+  const std::string file = wallImage(name);
   return draw(file, Kind::Wall, name, kGrey) ? hung(file, hanging) : Json(kPlain);
 }
 
 std::optional<Json> Materials::middle(const std::string& name, const Hanging& hanging) {
-  const std::string file = "wall-" + fileName(name);
+  const std::string file = wallImage(name);
   if (!draw(file, Kind::Wall, name, "it is left out")) return std::nullopt;
   return hung(file, hanging);
 }
@@ -80,13 +84,13 @@ std::optional<std::string> Materials::switched(const std::string& name) {
   std::string other = name;
   other[2] = name[2] == '1' ? '2' : '1';
   if (!pictures_.hasWall(other)) return std::nullopt;
-  std::string file = "wall-" + fileName(other);
+  std::string file = wallImage(other);
   if (!draw(file, Kind::Wall, other, "it does not change")) return std::nullopt;
   return file;
 }
 
 Json Materials::flat(const std::string& name) {
-  const std::string file = "flat-" + fileName(name);
+  const std::string file = flatImage(name);
   if (!draw(file, Kind::Flat, name, kGrey)) return kPlain;
   return fmt::format("{} {:g},{:g}", file, kFlatSide, kFlatSide);
 }

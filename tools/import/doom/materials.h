@@ -20,6 +20,9 @@ namespace hearth::doom {
 /// A name of a WAD as that of a file, in lower case: what is neither a letter nor a digit as its
 /// number, so that it leads to no other folder.
 std::string fileName(const std::string& name);
+/// The image of a wall's texture or of a flat, as a level names it.
+std::string wallImage(const std::string& texture);
+std::string flatImage(const std::string& flat);
 
 /// How an image lies on a wall.
 struct Hanging {
