@@ -55,7 +55,7 @@ void expectLoads(const Converted& converted) {
     CHECK(!diagnostic.isError, format(diagnostic));
 }
 
-void tryOut(const Wad& wad, Doors doors) {
+void tryOut(const Wad& wad, Doors doors, LightFrom lightFrom) {
   static const LightTable lights = parseLightTable(ownLightTable()).value();
   const auto pictures = Pictures::read(wad);
   if (!pictures) {
@@ -73,6 +73,7 @@ void tryOut(const Wad& wad, Doors doors) {
                     .doors = doors,
                     .things = {.game = {}, .hasMonsters = true, .maxImages = kSpriteImages},
                     .imagePixels = kImagePixels,
+                    .lightFrom = lightFrom,
                     .lights = kLights},
                    imported);
     if (converted)
@@ -90,7 +91,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const auto wad = hearth::doom::Wad::open(file, hearth::doom::kMaxBytes);
   // The last byte is of no other meaning in most WADs: a WAD ends with the name of a lump.
   if (wad)
-    hearth::doom::tryOut(*wad, static_cast<hearth::doom::Doors>(data[size - 1] % 3));
+    hearth::doom::tryOut(*wad, static_cast<hearth::doom::Doors>(data[size - 1] % 3),
+                         static_cast<hearth::doom::LightFrom>(data[size - 1] / 3 % 2));
   else
     CHECK(!wad.error().empty());
   return 0;
