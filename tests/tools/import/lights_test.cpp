@@ -1,8 +1,10 @@
 #include "import/doom/lights.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "map_builder.h"
@@ -20,7 +22,8 @@ constexpr double kBeside = 0.02;
 WadBuilder picturesWad() {
   WadBuilder wad;
   wad.add("PLAYPAL", palette()).add("PNAMES", patchNames({"PATCH"}));
-  wad.add("TEXTURE1", texturesOf({definition("LITE", 8, 8, {{0, 0, 0}})}));
+  wad.add("TEXTURE1", texturesOf({definition("LITE", 8, 8, {{0, 0, 0}}),
+                                  definition("SKY1", 8, 8, {{0, 0, 0}})}));
   wad.add("PATCH", plainPatch(8, 8, 9));
   return wad.add("F_START").add("LAVA", flatOf(1)).add("F_END");
 }
@@ -35,6 +38,7 @@ class LightsOfAMap : public testing::Test, protected MapBuilder {
     Materials materials(pictures_, map.name, findings_);
     materials.wall("LITE", {});
     materials.flat("LAVA");
+    materials.sky();
     return lightsJson(GroundPlan::of(map, Doors::Open, findings_).value(), table_, materials,
                       settings_, findings_);
   }
@@ -246,6 +250,16 @@ TEST_F(AreaLightsOfAMap, areTheSkyAndASunWhereItHasASky) {
   table_.sky.intensity = 0;
   EXPECT_FALSE(file().contains("sky"));
   EXPECT_FALSE(file().contains("suns"));
+}
+
+TEST_F(AreaLightsOfAMap, haveTheHueOfTheSkyUnlessTheTableHasAnother) {
+  table_.sky.color.reset();
+  map.sectors[0].ceilingFlat = kSkyFlat;
+  const Rgb sky = colorOf(9);
+  const double most = std::max({sky.r, sky.g, sky.b});
+  const auto part = [&](double channel) { return std::lround(255 * channel / most); };
+  EXPECT_EQ(file()["sky"]["color"],
+            fmt::format("#{:02x}{:02x}{:02x}", part(sky.r), part(sky.g), part(sky.b)));
 }
 
 TEST_F(AreaLightsOfAMap, areAskedFor) {

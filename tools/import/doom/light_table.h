@@ -22,7 +22,7 @@ struct Glow {
 
 /// As lights files have them.
 struct SkyGlow {
-  std::string color = "#ffffff";
+  std::optional<std::string> color;  ///< none: that of its image
   double intensity = 0;
 };
 struct SunGlow {

@@ -39,6 +39,19 @@ Json curveOf(const Glow& glow) {
   return curve;
 }
 
+/// The mean of an image, as bright as its hue can be.
+std::string hueOf(const Image& image) {
+  std::array<std::uint64_t, 3> sums{};
+  for (const Rgb pixel : image.pixels()) {
+    sums[0] += pixel.r;
+    sums[1] += pixel.g;
+    sums[2] += pixel.b;
+  }
+  const std::uint64_t most = std::max<std::uint64_t>(1, std::ranges::max(sums));
+  for (std::uint64_t& sum : sums) sum = (255 * sum + most / 2) / most;
+  return fmt::format("#{:02x}{:02x}{:02x}", sums[0], sums[1], sums[2]);
+}
+
 class Illuminator {
  public:
   Illuminator(const GroundPlan& plan, const LightTable& table, const Materials& materials,
@@ -77,8 +90,10 @@ class Illuminator {
                        {"intensity", sun->intensity},
                        {"color", sun->color},
                        {"size", sun->size}}};
+    const Image* image = materials_.skyImage();
     if (table_.sky.intensity > 0)
-      file["sky"] = {{"intensity", table_.sky.intensity}, {"color", table_.sky.color}};
+      file["sky"] = {{"intensity", table_.sky.intensity},
+                     {"color", table_.sky.color.value_or(image ? hueOf(*image) : "#ffffff")}};
   }
 
   /// Makes an image an emitter; false if lights are to stand before the surfaces that wear it.

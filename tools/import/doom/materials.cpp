@@ -96,7 +96,7 @@ Json Materials::flat(const std::string& name) {
 }
 
 Json Materials::sky() {
-  const std::string file = "sky-" + fileName(skyName_);
+  const std::string file = skyFile();
   const bool isFirst = !images_.contains(file);
   if (!draw(file, Kind::Wall, skyName_, kGrey)) return kPlain;
   Image& image = images_.at(file);
@@ -105,6 +105,8 @@ Json Materials::sky() {
               {"scale", {image.width() / kSkyColumns, image.height() / kSkyRows}},
               {"offset", {0, image.height() - kSkyHorizon}}};
 }
+
+const Image* Materials::skyImage() const { return find(skyFile()); }
 
 const Image* Materials::find(const std::string& file) const {
   const auto found = images_.find(file);

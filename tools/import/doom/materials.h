@@ -52,6 +52,8 @@ class Materials {
   /// One sees through its holes. None where it cannot be drawn.
   std::optional<nlohmann::ordered_json> middle(const std::string& name, const Hanging& hanging);
   nlohmann::ordered_json sky();
+  /// The image of the sky; null if it has not been asked for, or cannot be drawn.
+  const Image* skyImage() const;
   /// Metres from the first row of a wall's image to the end of its last.
   double heightOf(const std::string& name) const;
 
@@ -68,6 +70,7 @@ class Materials {
 
  private:
   enum class Kind : std::uint8_t { Wall, Flat };
+  std::string skyFile() const { return "sky-" + fileName(skyName_); }
   bool draw(const std::string& file, Kind kind, const std::string& name,
             std::string_view otherwise);
   tl::expected<Picture, std::string> decode(Kind kind, const std::string& name);
