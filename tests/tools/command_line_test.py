@@ -960,7 +960,8 @@ class Import(InFolder):
         self.assertIn(f"{made['walls']} walls of {made['of']['lines']} lines, "
                       f"{made['sprites']} sprites of {made['of']['things']} things, "
                       f"{made['lights']} lights, {made['textures']} textures, ", text)
-        self.assertIn(f" textures, {made['emitters']} emitters, {made['movers']} movers that {made['starters']} lines start; ", text)
+        self.assertIn(f" textures, {made['emitters']} emitters, {made['movers']} movers that "
+                      f"{made['starters']} lines start; ", text)
         for reason, count in made["leftOut"].items():
             self.assertRegex(text, f"  {count} lines? left out: {reason}\n")
         self.assertGreater(len(made["leftOut"]), 2)

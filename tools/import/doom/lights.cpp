@@ -7,6 +7,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <span>
 #include <utility>
 
 #include "math/box.h"
@@ -39,15 +40,16 @@ Json curveOf(const Glow& glow) {
   return curve;
 }
 
-/// The mean of an image, as bright as its hue can be.
-std::string hueOf(const Image& image) {
+/// The mean of an image, as bright as its hue can be; white without an image, and of a black one.
+std::string hueOf(const Image* image) {
   std::array<std::uint64_t, 3> sums{};
-  for (const Rgb pixel : image.pixels()) {
+  for (const Rgb pixel : image ? std::span(image->pixels()) : std::span<const Rgb>{}) {
     sums[0] += pixel.r;
     sums[1] += pixel.g;
     sums[2] += pixel.b;
   }
-  const std::uint64_t most = std::max<std::uint64_t>(1, std::ranges::max(sums));
+  const std::uint64_t most = std::ranges::max(sums);
+  if (most == 0) return "#ffffff";
   for (std::uint64_t& sum : sums) sum = (255 * sum + most / 2) / most;
   return fmt::format("#{:02x}{:02x}{:02x}", sums[0], sums[1], sums[2]);
 }
@@ -90,10 +92,9 @@ class Illuminator {
                        {"intensity", sun->intensity},
                        {"color", sun->color},
                        {"size", sun->size}}};
-    const Image* image = materials_.skyImage();
     if (table_.sky.intensity > 0)
       file["sky"] = {{"intensity", table_.sky.intensity},
-                     {"color", table_.sky.color.value_or(image ? hueOf(*image) : "#ffffff")}};
+                     {"color", table_.sky.color.value_or(hueOf(materials_.skyImage()))}};
   }
 
   /// Makes an image an emitter; false if lights are to stand before the surfaces that wear it.
