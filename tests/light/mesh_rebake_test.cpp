@@ -10,6 +10,7 @@
 #include <string>
 #include <string_view>
 #include <thread>
+#include <vector>
 
 #include "light/lit_mesh.h"
 #include "light/rebake.h"
@@ -156,6 +157,44 @@ TEST(MeshRebake, tellsMeshesAtOnePlaceApartByTheirSectors) {
       "[{'x':2,'y':4,'z':3,'sector':'west'}]", {{"box.obj", test::kBoxModel}});
   LightMemory memory;
   for (int i = 0; i < 3; ++i) rebaked(memory, loaded);
+}
+
+/// A narrow strip along the x axis, and at its end a square across that axis with its back to it.
+constexpr std::string_view kFarPanel =
+    "v 0 5 0\nv 9 5 0\nv 9 5 0.1\nv 0 5 0.1\nf 1 2 3 4\n"
+    "v 9 1 3\nv 9 1 1\nv 9 3 1\nv 9 3 3\nf 5 6 7 8\n";
+
+/// A lamp in an alcove lights the wall at x = 0, and sees neither the passage opposite nor the hall
+/// behind that. A mesh of the room has a face in the hall: what is before its back counts as inside
+/// of the mesh, as long as the hall's ceiling leaves the way open.
+LoadedLevel faceBehindAPassage(double hallCeiling) {
+  const std::string plain = "{'texture':'#808080'}";
+  const auto open = [](std::string_view next) {
+    return fmt::format("{{'walls':[{{'next':'{}'}}]}}", next);
+  };
+  const auto list = [](const std::vector<std::string>& walls) {
+    return fmt::format("[{}]", fmt::join(walls, ","));
+  };
+  const std::vector<std::string> sectors{
+      test::sectorText("alcove", "0,8, 4,8, 4,16, 0,16", 0, 6,
+                       list({open("room"), plain, plain, plain})),
+      test::sectorText("room", "0,0, 12,0, 12,8, 4,8, 0,8", 0, 6,
+                       list({plain, open("passage"), plain, open("alcove"), plain})),
+      test::sectorText(
+          "passage", "12,0, 15,0, 15,8, 12,8", 0, 6,
+          list({plain, "{'walls':[{'upper':'#808080','next':'hall'}]}", plain, open("room")})),
+      test::sectorText("hall", "15,0, 24,0, 24,8, 15,8", 0, hallCeiling,
+                       list({plain, plain, plain, open("passage")}))};
+  return test::levelFrom(
+      fmt::format("{{'things':[{{'mesh':'far.obj','x':8,'y':4,'z':0,'sector':'room'}}],"
+                  "'sectors':{{{}}}}}",
+                  fmt::join(sectors, ",")),
+      "[{'x':2,'y':15,'z':3,'sector':'alcove','falloff':0.1}]", {{"far.obj", kFarPanel}});
+}
+
+TEST(MeshRebake, isTheFullBakeWhereTheWayToAFaceFarBeforeAWallIsClosed) {
+  LightMemory memory;
+  for (const double ceiling : {6.0, 0.5, 6.0}) rebaked(memory, faceBehindAPassage(ceiling));
 }
 
 TEST(MeshRebake, isTheFullBakeWhereAMeshHasMoved) {
