@@ -120,6 +120,30 @@ TEST(Emitters, AreBakedAgainWhereASurfaceChangesItsTexture) {
   EXPECT_NE(lightHash(dark.scene(), dark.level.bake), lightHash(lit.scene(), lit.level.bake));
 }
 
+/// The two halves of a hall have one box.
+TEST(Emitters, AreBakedAgainWhereTheOtherHalfOfACeilingShines) {
+  const auto hallUnderHalves = [](std::string_view south, std::string_view north) {
+    const auto half = [](std::string_view name, std::string_view next, std::string_view ceiling,
+                         std::string_view corners) {
+      return fmt::format(
+          "'{}':{{'floor':{{'texture':'#000000'}},'ceiling':{{'z':3,'texture':'{}'}},'loops':{{"
+          "'border':{{'v':[{}],'walls':[{{'next':'{}'}},{{'texture':'#000000'}},"
+          "{{'texture':'#000000'}}]}}}}}}",
+          name, ceiling, corners, next);
+    };
+    return levelFrom(fmt::format("{{'light':0,'sectors':{{{},{}}}}}",
+                                 half("south", "north", south, "8,6, 0,0, 8,0"),
+                                 half("north", "south", north, "0,0, 8,6, 0,6")),
+                     emitText("'#ffffff':{'intensity':250}"));
+  };
+  const LoadedLevel southLit = hallUnderHalves("#ffffff", "#000000");
+  const LoadedLevel northLit = hallUnderHalves("#000000", "#ffffff");
+  LightMemory memory;
+  for (const LoadedLevel* level : {&southLit, &northLit})
+    test::expectSame(level->scene(), *Rebake(memory, level->scene(), level->level.bake, 2).finish(),
+                     bake(level->scene(), level->level.bake, 2));
+}
+
 TEST(Emitters, AreBakedAgainWhereAMeshChangesItsTexture) {
   const std::string lights = emitText("'#ffffff':{'intensity':250},'#ff0000':{'intensity':50}");
   const auto withBox = [&](std::string_view texture) {
