@@ -318,21 +318,24 @@ bool Slice::mayBlock(const Box3& box, const Branch& branch, const Border& border
 
 /// The part of a face in the slice's plane.
 std::optional<Slice::InPlane> Slice::cutOf(const MeshFace& face) const {
+  const std::array<double, 3> sides{line_->sideOf(face.corners[0].xy()),
+                                    line_->sideOf(face.corners[1].xy()),
+                                    line_->sideOf(face.corners[2].xy())};
+  const std::array<bool, 3> isRight{sides[0] >= 0, sides[1] >= 0, sides[2] >= 0};
+  if (isRight[0] == isRight[1] && isRight[1] == isRight[2]) return std::nullopt;
   std::array<Vec2, 2> ends{};
   std::size_t count = 0;
-  for (std::size_t k = 0; k < 3 && count < 2; ++k) {
-    const Vec3 p = face.corners[k];
-    const Vec3 q = face.corners[(k + 1) % 3];
-    const double sideP = line_->sideOf(p.xy());
-    const double sideQ = line_->sideOf(q.xy());
-    if ((sideP >= 0) == (sideQ >= 0)) continue;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t next = (k + 1) % 3;
+    if (isRight[k] == isRight[next]) continue;
     // In one order, so that faces on either side of an edge leave no gap.
-    const Vec3 at = (sideP >= 0 ? p + (sideP / (sideP - sideQ)) * (q - p)
-                                : q + (sideQ / (sideQ - sideP)) * (p - q)) -
+    const std::size_t p = isRight[k] ? k : next;
+    const std::size_t q = isRight[k] ? next : k;
+    const Vec3 at = face.corners[p] +
+                    (sides[p] / (sides[p] - sides[q])) * (face.corners[q] - face.corners[p]) -
                     start_.point;
     ends[count++] = {dot(at.xy(), direction_), at.z};
   }
-  if (count < 2) return std::nullopt;
   return InPlane{ends[0], ends[1]};
 }
 
