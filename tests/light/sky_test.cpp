@@ -177,7 +177,7 @@ TEST(LightLattice, InterpolatesWhatIsEvenAndDividesWhereItIsNot) {
     return true;
   };
   const TexelRect texels{-7, 3, 100, 50};
-  LightLattice lattice(texels, 16, {0.1, 0.1}, LightLattice::Parts::DownToOne, step);
+  LightLattice lattice(texels, {16, 0, LightLattice::Parts::DownToOne}, {0.1, 0.1}, step);
   for (double y = 3; y <= 53; y += 3.7)
     for (double x = -7; x <= 93; x += 1.3) {
       EXPECT_NEAR(lattice.at({x, y}, 0), 3 + 0.01 * x, 1e-12);
@@ -197,7 +197,7 @@ TEST(LightLattice, AsksAtThePointsThemselvesWhereCellsOfTwoTexelsAreUneven) {
     values[0] = p.x < 8.5 ? 0 : 1;
     return true;
   };
-  LightLattice lattice({0, 0, 16, 16}, 16, {0.1}, LightLattice::Parts::DownToTwo, step);
+  LightLattice lattice({0, 0, 16, 16}, {16, 0, LightLattice::Parts::DownToTwo}, {0.1}, step);
   for (int j = 0; j < 16; ++j)
     for (int i = 0; i < 16; ++i) EXPECT_EQ(lattice.at({i + 0.5, j + 0.5}, 0), i < 8 ? 0 : 1) << i;
   const auto isInTexel = [](Vec2 p) { return p.x != std::floor(p.x); };
@@ -209,12 +209,38 @@ TEST(LightLattice, AsksAtThePointsThemselvesWhereCellsOfTwoTexelsAreUneven) {
   }
 }
 
+/// Whose corners differ by more than they may, its middle by less.
+TEST(LightLattice, InterpolatesBetweenCornersAndMiddleOfATexel) {
+  int asked = 0;
+  const auto bulge = [&](Vec2 p, std::span<double> values) {
+    ++asked;
+    values[0] = 0.25 * p.x + (p == Vec2{0.5, 0.5} ? 0.15 : 0);
+    return true;
+  };
+  LightLattice lattice({0, 0, 1, 1}, {16, 0, LightLattice::Parts::DownToOne}, {0.1}, bulge);
+  EXPECT_DOUBLE_EQ(lattice.at({0.5, 0.5}, 0), 0.275);
+  EXPECT_DOUBLE_EQ(lattice.at({0.25, 0.5}, 0), 0.0625 + 0.075);
+  EXPECT_DOUBLE_EQ(lattice.at({1, 0.75}, 0), 0.25);
+  EXPECT_EQ(asked, 5);
+}
+
+TEST(LightLattice, HasOneLineOfNodesAlongWhatIsNarrow) {
+  const auto ramp = [](Vec2 p, std::span<double> values) {
+    EXPECT_EQ(p.y, 9);
+    values[0] = p.x;
+    return true;
+  };
+  LightLattice lattice({3, 7, 60, 4}, {32, 4, LightLattice::Parts::DownToTwo}, {0.1}, ramp);
+  for (const double x : {3.0, 20.25, 62.5})
+    for (const double y : {7.0, 8.5, 11.0}) EXPECT_NEAR(lattice.at({x, y}, 0), x, 1e-12);
+}
+
 TEST(LightLattice, TakesNothingFromWhereThereIsNoLight) {
   const auto hole = [&](Vec2 p, std::span<double> values) {
     values[0] = p.x < 20 ? 1 : -1000;
     return p.x < 20;
   };
-  LightLattice lattice({0, 0, 40, 8}, 16, {0.1}, LightLattice::Parts::DownToOne, hole);
+  LightLattice lattice({0, 0, 40, 8}, {16, 0, LightLattice::Parts::DownToOne}, {0.1}, hole);
   for (double x = 0; x < 20; x += 0.5) EXPECT_EQ(lattice.at({x, 4}, 0), 1) << x;
   EXPECT_EQ(lattice.at({30, 4}, 0), 0);
 }

@@ -4,16 +4,17 @@
 
 namespace hearth {
 
-AreaLattice::Cells AreaLattice::cellsFor(LightVisibilities::Purpose purpose) {
+AreaLattice::Fineness AreaLattice::finenessFor(LightVisibilities::Purpose purpose) {
+  using Parts = LightLattice::Parts;
   // Texels along the sides of cells: a metre of texels as large as they are by default.
   constexpr int kSide = 8;
   switch (purpose) {
     case LightVisibilities::Purpose::Bake:
-      return {kSide, 1, LightLattice::Parts::DownToOne};
+      return {{kSide, 0, Parts::DownToOne}, 1};
     case LightVisibilities::Purpose::Source:
-      return {2 * kSide, 4, LightLattice::Parts::DownToTwo};
+      return {{4 * kSide, kSide / 2, Parts::DownToTwo}, 4};
     case LightVisibilities::Purpose::Draft:
-      return {kSide, 1, LightLattice::Parts::None};
+      return {{kSide, 0, Parts::None}, 1};
   }
   CHECK(false, static_cast<int>(purpose));
 }

@@ -32,9 +32,9 @@ class AreaLattice {
               FindAt findAt)
       : surface_(places.surface()),
         areas_(visibilities.areas()),
-        cells_(cellsFor(visibilities.purpose())),
-        lattice_(surface_.texels, cells_.side, tolerancesOf(scene, areas_.lights(), cells_.levels),
-                 cells_.parts,
+        fineness_(finenessFor(visibilities.purpose())),
+        lattice_(surface_.texels, fineness_.cells,
+                 tolerancesOf(scene, areas_.lights(), fineness_.levels),
                  [this, &places, find = std::move(findAt)](Vec2 p, std::span<double> fractions) {
                    const SamplePoint at = places.place(p);
                    return !(places.mayLeaveOut() && places.isLeftOut(at)) &&
@@ -51,19 +51,18 @@ class AreaLattice {
 
  private:
   /// Of the lattice.
-  struct Cells {
-    int side;       ///< texels, of those that nothing divides
+  struct Fineness {
+    LightLattice::Cells cells;
     double levels;  ///< by which interpolation may be off
-    LightLattice::Parts parts;
   };
 
-  static Cells cellsFor(LightVisibilities::Purpose purpose);
+  static Fineness finenessFor(LightVisibilities::Purpose purpose);
   static std::vector<double> tolerancesOf(const Scene& scene, std::span<const std::size_t> lights,
                                           double levels);
 
   const LitSurface& surface_;
   AreaVisibility areas_;
-  Cells cells_;
+  Fineness fineness_;
   std::int64_t slices_ = 0;  ///< that are not counted yet
   SectorSet met_;
   LightLattice lattice_;

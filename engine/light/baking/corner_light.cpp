@@ -102,13 +102,19 @@ void CornerLight::addArea(std::size_t index, std::span<const LitMesh::SmallFace>
     }
 }
 
-/// At each corner for all faces there at once: their normals differ.
+/// At each corner for all faces there at once: their normals differ. As a source of light a face is
+/// even: one of its corners tells its light.
 void CornerLight::findAreas(std::span<const LitMesh::SmallFace> faces, std::int64_t& slices) {
+  const bool isSource = visibilities_.purpose() == LightVisibilities::Purpose::Source;
   const std::size_t count = areas_.lights().size();
   ofAreas_.assign(3 * faces.size() * count, 0);
   std::vector<std::vector<std::size_t>> uses(corners_.size());  // corners of faces
   for (std::size_t i = 0; i < faces.size(); ++i)
-    for (std::size_t k = 0; k < 3; ++k) uses[cornerFor(ofFaces_[i], k)].push_back(3 * i + k);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t corner =
+          isSource ? cornerInUse(ofFaces_[i], uses) : cornerFor(ofFaces_[i], k);
+      uses[corner].push_back(3 * i + k);
+    }
   std::vector<Vec3> normals;
   std::vector<double> fractions;
   for (std::size_t corner = 0; corner < corners_.size(); ++corner) {
@@ -124,6 +130,15 @@ void CornerLight::findAreas(std::span<const LitMesh::SmallFace> faces, std::int6
     for (std::size_t k = 0; k < normals.size(); ++k)
       std::copy_n(&fractions[k * count], count, &ofAreas_[uses[corner][k] * count]);
   }
+}
+
+/// One that is in use, if any is: so few are.
+std::uint32_t CornerLight::cornerInUse(const CornersOfFace& ofFace,
+                                       const std::vector<std::vector<std::size_t>>& uses) const {
+  const auto used = std::ranges::find_if(ofFace, [&](std::uint32_t corner) {
+    return corners_[corner].sector && !uses[corner].empty();
+  });
+  return used != ofFace.end() ? *used : cornerFor(ofFace, 0);
 }
 
 /// Of a light: as much of it as is in front of the face, by the face's unit normal.

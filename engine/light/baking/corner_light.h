@@ -45,6 +45,8 @@ class CornerLight {
   TargetBox boxOfCorners() const;
   void addArea(std::size_t light, std::span<const LitMesh::SmallFace> faces, TexelSums& sums);
   void findAreas(std::span<const LitMesh::SmallFace> faces, std::int64_t& slices);
+  std::uint32_t cornerInUse(const CornersOfFace& ofFace,
+                            const std::vector<std::vector<std::size_t>>& uses) const;
   double fractionInFront(std::size_t light, const MeshFace& face, Vec3 normal) const;
   double seenFraction(std::size_t light, std::uint32_t corner);
   double seenFractionFrom(const Corner& corner, std::size_t light, std::int64_t& rays);

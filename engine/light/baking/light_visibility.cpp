@@ -358,6 +358,11 @@ void LightVisibility::prefetchBeams() const {
   if (beams_ && !beams_->hasBegun.test_and_set()) beams();
 }
 
+GatherAccuracy LightVisibilities::accuracyFor(Purpose purpose) {
+  if (purpose == Purpose::Source) return {8, 2};
+  return {};
+}
+
 LightVisibilities::LightVisibilities(const Scene& scene, const BakeSettings& settings,
                                      Purpose purpose, IrradianceSource irradiance)
     : LightVisibilities(scene, settings, LightReach(scene.lights(), settings), {}, purpose,
@@ -372,7 +377,7 @@ LightVisibilities::LightVisibilities(const Scene& scene, const BakeSettings& set
       regions_(std::move(regions)),
       purpose_(purpose),
       irradiance_(std::move(irradiance)),
-      areas_(scene, settings.solidMaskedMiddles),
+      areas_(scene, settings.solidMaskedMiddles, accuracyFor(purpose)),
       lights_(reach.lights()) {}
 
 AreaVisibility LightVisibilities::areas() const {

@@ -170,6 +170,7 @@ class LightVisibilities {
     std::optional<SunVisibility> roughSun;
   };
 
+  static GatherAccuracy accuracyFor(Purpose purpose);
   const Light& ready(std::size_t light) const {
     if (!lights_[light].isReady.load(std::memory_order_acquire)) makeReady(light);
     return lights_[light];

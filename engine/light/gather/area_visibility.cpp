@@ -13,13 +13,10 @@ namespace hearth {
 
 namespace {
 
-/// Slices to begin with, and the most: steps are halved up to six times ...
-constexpr int kFirstSlices = 16;
-constexpr int kMostSlices = kFirstSlices << 6;
+/// Those that are as near to each other as can be.
+constexpr int kMostSlices = 1024;
 constexpr double kAround = 2 * std::numbers::pi;
-/// ... while that changes the light by more levels than this, ...
-constexpr double kChange = 0.3;
-/// ... or of light beyond full brightness by a larger part of it than it is of that.
+/// Light beyond full brightness may change by as large a part of it as light of so many levels.
 constexpr double kFullBrightness = 255;
 /// What gives less than so many levels may be missed between two slices.
 constexpr double kMissed = 1;
@@ -64,9 +61,11 @@ SlopeRange slopesBefore(Vec3 normal, double ahead) {
   return normal.z > 0 ? SlopeRange{inPlane, kStraightUp} : SlopeRange{-kStraightUp, inPlane};
 }
 
+}  // namespace
+
 /// What a receiver makes of directions: the cosine before a surface, integrated over them, or their
 /// solid angle at a point of the air. Both for each radian of the compass.
-class Receiver {
+class AreaVisibility::Receiver {
  public:
   /// A surface; `ahead` is the part of its normal in the compass direction.
   Receiver(Vec3 normal, double ahead)
@@ -113,8 +112,6 @@ class Receiver {
   bool isAir_ = false;
 };
 
-}  // namespace
-
 /// Between two slices, by their numbers, and where their values begin in `inSlices_`.
 struct AreaVisibility::Step {
   int from;
@@ -130,10 +127,13 @@ struct AreaVisibility::InDirection {
   std::span<const Receiver> receivers;
 };
 
-AreaVisibility::AreaVisibility(const Scene& scene, bool solidMaskedMiddles)
-    : scene_(scene), slice_(scene, solidMaskedMiddles), small_(scene, slice_.lights()) {
+AreaVisibility::AreaVisibility(const Scene& scene, bool solidMaskedMiddles, GatherAccuracy accuracy)
+    : scene_(scene),
+      accuracy_(accuracy),
+      slice_(scene, solidMaskedMiddles),
+      small_(scene, slice_.lights()) {
   for (const std::size_t i : lights()) {
-    changes_.push_back(fractionFor(kChange, scene.lights()[i]));
+    changes_.push_back(fractionFor(accuracy.change, scene.lights()[i]));
     worth_.push_back(fractionFor(kMissed, scene.lights()[i]));
   }
 }
@@ -145,16 +145,16 @@ void AreaVisibility::integrate(Vec3 point, InSlice&& inSlice, double whole,
   inSlices_.clear();
   sums_.assign(fractions.size(), 0);
   narrow_.clear();
-  small_.findAround(point, 360.0 / kFirstSlices, worth_, narrow_);
-  constexpr int kWidth = kMostSlices / kFirstSlices;
-  std::array<std::size_t, kFirstSlices + 1> at{};
-  for (int i = 0; i < kFirstSlices; ++i)
-    at[static_cast<std::size_t>(i)] = slice(i * kWidth, inSlice, slices);
-  at.back() = at.front();
+  small_.findAround(point, 360.0 / accuracy_.firstSlices, worth_, narrow_);
+  const int width = kMostSlices / accuracy_.firstSlices;
+  atFirst_.clear();
+  for (int number = 0; number < kMostSlices; number += width)
+    atFirst_.push_back(slice(number, inSlice, slices));
+  atFirst_.push_back(atFirst_.front());
   setLimits(whole);
-  for (int i = 0; i < kFirstSlices; ++i)
-    addStep({i * kWidth, (i + 1) * kWidth, at[static_cast<std::size_t>(i)],
-             at[static_cast<std::size_t>(i) + 1]},
+  for (int i = 0; i < accuracy_.firstSlices; ++i)
+    addStep({i * width, (i + 1) * width, atFirst_[static_cast<std::size_t>(i)],
+             atFirst_[static_cast<std::size_t>(i) + 1]},
             inSlice, slices);
   for (std::size_t k = 0; k < fractions.size(); ++k) fractions[k] = std::max(0.0, sums_[k] / whole);
 }
@@ -164,8 +164,9 @@ void AreaVisibility::setLimits(double whole) {
   limits_.assign(sums_.size(), 0);
   for (std::size_t i = 0; i < inSlices_.size(); ++i) limits_[i % limits_.size()] += inSlices_[i];
   for (std::size_t k = 0; k < limits_.size(); ++k)
-    limits_[k] = std::max(changes_[k % changes_.size()] * whole,
-                          kChange / kFullBrightness * kAround / kFirstSlices * limits_[k]);
+    limits_[k] =
+        std::max(changes_[k % changes_.size()] * whole,
+                 accuracy_.change / kFullBrightness * kAround / accuracy_.firstSlices * limits_[k]);
 }
 
 template <typename InSlice>
@@ -223,14 +224,14 @@ void AreaVisibility::addAreas(const InDirection& at, const std::vector<AreaInSli
 void AreaVisibility::addBounced(const InDirection& at, const AreaInSlice& area,
                                 std::span<double> sums) const {
   // Radians; slices in the middle of steps included.
-  constexpr double kBetweenSlices = std::numbers::pi / kFirstSlices;
+  const double betweenSlices = std::numbers::pi / accuracy_.firstSlices;
   // What is seen of a surface is brighter, by and large, than what something hides from the point
   // and the lights alike. So a slice must not take much of what it does not see itself.
-  constexpr double kWidth = 0.3 * kBetweenSlices;
+  const double width = 0.3 * betweenSlices;
   const std::size_t bounced = *slice_.lights().bounced();
   const std::size_t channels = lights().size() - bounced;
   irradiance_->forEachPart(
-      area, at.point, at.direction, arcOf(area.slopes), kWidth, [&](const Arc& part, Vec3 levels) {
+      area, at.point, at.direction, arcOf(area.slopes), width, [&](const Arc& part, Vec3 levels) {
         const std::array<double, 3> of{levels.x, levels.y, levels.z};
         for (std::size_t k = 0; k < at.receivers.size(); ++k) {
           const double weight = at.receivers[k].of(part);

@@ -20,6 +20,12 @@ inline double fractionFor(double levels, const LightSource& light) {
   return levels / std::max(levels, light.intensity * light.greatestFactor());
 }
 
+/// How closely an AreaVisibility looks.
+struct GatherAccuracy {
+  int firstSlices = 16;  ///< around a point: a power of 2, at most 64
+  double change = 0.3;   ///< levels: steps between slices are halved while that changes more
+};
+
 /// Answers which fraction of the light of areas arrives at a point: the cosine to its normal,
 /// integrated over the directions in which it first meets the area, over pi. So all light of the
 /// sky arrives at level ground in the open. Of light that bounces, whose intensity is a level, it
@@ -32,7 +38,7 @@ inline double fractionFor(double levels, const LightSource& light) {
 class AreaVisibility {
  public:
   /// Of all lights of the scene that are areas. `solidMaskedMiddles`: see BakeSettings.
-  AreaVisibility(const Scene& scene, bool solidMaskedMiddles);
+  AreaVisibility(const Scene& scene, bool solidMaskedMiddles, GatherAccuracy accuracy = {});
   /// What light bounces: needed before anything is asked if any does. Keeps a reference.
   void setIrradiance(const Irradiance& irradiance) { irradiance_ = &irradiance; }
 
@@ -55,6 +61,7 @@ class AreaVisibility {
 
  private:
   struct Step;
+  class Receiver;
   struct InDirection;
 
   void findBefore(const SliceStart& start, std::span<const Vec3> normals,
@@ -73,6 +80,7 @@ class AreaVisibility {
   std::size_t slice(int number, const InSlice& inSlice, std::int64_t& slices);
 
   Scene scene_;
+  GatherAccuracy accuracy_;
   Slice slice_;
   const Irradiance* irradiance_ = nullptr;
   SmallAreas small_;
@@ -80,6 +88,7 @@ class AreaVisibility {
   std::vector<double> limits_;   ///< the same of the sums at hand
   std::vector<double> worth_;    ///< fractions of each for which what is small is looked for
   std::vector<CompassInterval> narrow_;  ///< around the point at hand
+  std::vector<std::size_t> atFirst_;     ///< where values of the first slices begin
   std::vector<double> inSlices_;         ///< of those of the point at hand, one after the other
   std::vector<double> sums_;
 };

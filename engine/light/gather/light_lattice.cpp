@@ -8,13 +8,18 @@ namespace hearth {
 
 namespace {
 
-/// Multiples of `cell` between two ends, and the ends: none so near to an end that a cell would be
-/// narrow.
-std::vector<int> linesBetween(int from, int to, int cell) {
+int middle(int from, int to) { return from + (to - from) / 2; }
+
+/// Multiples of a cell's side between two ends, and the ends: none so near to an end that a cell
+/// would be narrow. A single line is both ends of cells without width.
+std::vector<int> linesBetween(int from, int to, const LightLattice::Cells& cells) {
+  if (to - from > 1 && to - from <= cells.narrow) return {middle(from, to), middle(from, to)};
   std::vector<int> lines{from};
-  const int first = static_cast<int>(std::floor(static_cast<double>(from) / cell)) * cell;
-  for (int line = first; line < to; line += cell)
-    if (4 * (line - from) >= cell && 4 * (to - line) >= cell && line > from) lines.push_back(line);
+  const int first =
+      static_cast<int>(std::floor(static_cast<double>(from) / cells.side)) * cells.side;
+  for (int line = first; line < to; line += cells.side)
+    if (4 * (line - from) >= cells.side && 4 * (to - line) >= cells.side && line > from)
+      lines.push_back(line);
   lines.push_back(to);
   return lines;
 }
@@ -26,19 +31,28 @@ std::size_t placeIn(const std::vector<int>& lines, double x) {
 
 /// Texels along the sides of a cell that is described by its corners if its middle says so.
 constexpr int kFew = 2;
+/// By how many tolerances the corners of a texel may differ, and its middle from them, before
+/// values are found at points themselves.
+constexpr double kUneven = 2;
 
-int middle(int from, int to) { return from + (to - from) / 2; }
+double fractionOf(double x, int from, int to) {
+  return to > from ? std::clamp((x - from) / (to - from), 0.0, 1.0) : 0;
+}
+
+Vec2 fractionOf(Vec2 p, const std::array<int, 2>& from, const std::array<int, 2>& to) {
+  return {fractionOf(p.x, from[0], to[0]), fractionOf(p.y, from[1], to[1])};
+}
 
 }  // namespace
 
-LightLattice::LightLattice(const TexelRect& texels, int cell, std::vector<double> tolerances,
-                           Parts parts, ValuesAt valuesAt)
+LightLattice::LightLattice(const TexelRect& texels, const Cells& cells,
+                           std::vector<double> tolerances, ValuesAt valuesAt)
     : texels_(texels),
       tolerances_(std::move(tolerances)),
-      parts_(parts),
+      parts_(cells.parts),
       valuesAt_(std::move(valuesAt)),
-      columns_(linesBetween(texels.i0, texels.i0 + texels.width, cell)),
-      rows_(linesBetween(texels.j0, texels.j0 + texels.height, cell)) {
+      columns_(linesBetween(texels.i0, texels.i0 + texels.width, cells)),
+      rows_(linesBetween(texels.j0, texels.j0 + texels.height, cells)) {
   for (std::size_t row = 0; row + 1 < rows_.size(); ++row)
     for (std::size_t column = 0; column + 1 < columns_.size(); ++column)
       cells_.push_back({{columns_[column], rows_[row]}, {columns_[column + 1], rows_[row + 1]}});
@@ -55,25 +69,26 @@ double LightLattice::at(Vec2 p, std::size_t value) {
     const std::array<int, 2>& from = cell.from;
     const std::array<int, 2>& to = cell.to;
     if (cell.isUneven) return found({x, y}, value);
-    if (cell.firstPart == 0)
-      return interpolated(cell.corners,
-                          {(x - from[0]) / (to[0] - from[0]), (y - from[1]) / (to[1] - from[1])},
-                          value);
+    if (cell.firstPart == 0) return interpolated(cell, {x, y}, value);
     const int right = x >= middle(from[0], to[0]) && to[0] - from[0] > 1 ? 1 : 0;
     const int low = y >= middle(from[1], to[1]) && to[1] - from[1] > 1 ? 2 : 0;
     index = cell.firstPart + static_cast<std::uint32_t>(right + low);
   }
 }
 
+LightLattice::Node LightLattice::addNode(Vec2 p) {
+  const auto node = static_cast<Node>(isThere_.size());
+  const std::size_t count = tolerances_.size();
+  values_.resize(values_.size() + count);
+  isThere_.push_back(valuesAt_(p, std::span(values_).last(count)));
+  return node;
+}
+
 LightLattice::Node LightLattice::nodeAt(int i, int j) {
   const std::uint64_t key = std::uint64_t{static_cast<std::uint32_t>(i)} << 32 |
                             std::uint64_t{static_cast<std::uint32_t>(j)};
-  const auto [entry, isNew] = nodes_.try_emplace(key, static_cast<Node>(isThere_.size()));
-  if (isNew) {
-    const std::size_t count = tolerances_.size();
-    values_.resize(values_.size() + count);
-    isThere_.push_back(valuesAt_({1.0 * i, 1.0 * j}, std::span(values_).last(count)));
-  }
+  const auto [entry, isNew] = nodes_.try_emplace(key);
+  if (isNew) entry->second = addNode({1.0 * i, 1.0 * j});
   return entry->second;
 }
 
@@ -99,16 +114,11 @@ void LightLattice::decide(std::uint32_t index) {
   const std::array<int, 2> to = cell.to;
   if (parts_ == Parts::None) return;
   const int side = std::max(to[0] - from[0], to[1] - from[1]);
-  if (side <= 1) {
-    cells_[index].isUneven = !areEven(corners);
-    return;
-  }
+  if (side <= 1) return decideTexel(cells_[index]);
   const std::array<int, 3> columns{from[0], middle(from[0], to[0]), to[0]};
   const std::array<int, 3> rows{from[1], middle(from[1], to[1]), to[1]};
   const auto isDescribed = [&](int i, int j) {
-    const Vec2 fraction{1.0 * (i - from[0]) / (to[0] - from[0]),
-                        1.0 * (j - from[1]) / (to[1] - from[1])};
-    return describes(corners, fraction, nodeAt(i, j));
+    return describes(corners, fractionOf({1.0 * i, 1.0 * j}, from, to), nodeAt(i, j));
   };
   if (!isDescribed(columns[1], rows[1])) {
     if (side <= kFew && parts_ == Parts::DownToTwo)
@@ -123,6 +133,12 @@ void LightLattice::decide(std::uint32_t index) {
   for (const int j : rows)
     for (const int i : columns) areDescribed = areDescribed && isDescribed(i, j);
   divide(index, areDescribed);
+}
+
+void LightLattice::decideTexel(Cell& cell) {
+  if (areEven(cell.corners)) return;
+  cell.middle = addNode({(cell.from[0] + cell.to[0]) / 2.0, (cell.from[1] + cell.to[1]) / 2.0});
+  cell.isUneven = !describes(cell.corners, {0.5, 0.5}, *cell.middle, kUneven);
 }
 
 void LightLattice::divide(std::uint32_t index, bool areDecided) {
@@ -153,13 +169,15 @@ double LightLattice::toleranceAt(double value, std::size_t index) const {
 }
 
 /// Whether the corners have values, and a node between them those that are interpolated.
-bool LightLattice::describes(const std::array<Node, 4>& corners, Vec2 fraction, Node node) const {
+bool LightLattice::describes(const std::array<Node, 4>& corners, Vec2 fraction, Node node,
+                             double tolerances) const {
   if (!isThere(node) ||
       !std::ranges::all_of(corners, [this](Node corner) { return isThere(corner); }))
     return false;
   const std::span<const double> values = valuesOf(node);
   for (std::size_t i = 0; i < values.size(); ++i)
-    if (std::abs(interpolated(corners, fraction, i) - values[i]) > toleranceAt(values[i], i))
+    if (std::abs(interpolated(corners, fraction, i) - values[i]) >
+        tolerances * toleranceAt(values[i], i))
       return false;
   return true;
 }
@@ -169,7 +187,7 @@ bool LightLattice::areEven(const std::array<Node, 4>& corners) const {
     if (!isThere(corner)) return false;
     for (std::size_t i = 0; i < tolerances_.size(); ++i) {
       const double value = valuesOf(corner)[i];
-      if (std::abs(value - valuesOf(corners[0])[i]) > 2 * toleranceAt(value, i)) return false;
+      if (std::abs(value - valuesOf(corners[0])[i]) > kUneven * toleranceAt(value, i)) return false;
     }
   }
   return true;
@@ -183,6 +201,16 @@ double LightLattice::found(Vec2 p, std::size_t value) {
     foundAt_ = p;
   }
   return found_[value];
+}
+
+/// Between the corners and, if it has one, the node in its middle: that of a pyramid over it.
+double LightLattice::interpolated(const Cell& cell, Vec2 p, std::size_t value) const {
+  const Vec2 fraction = fractionOf(p, cell.from, cell.to);
+  const double flat = interpolated(cell.corners, fraction, value);
+  if (!cell.middle) return flat;
+  const double height = 1 - 2 * std::max(std::abs(fraction.x - 0.5), std::abs(fraction.y - 0.5));
+  return flat +
+         height * (valuesOf(*cell.middle)[value] - interpolated(cell.corners, {0.5, 0.5}, value));
 }
 
 /// Corners without values do not count.
