@@ -13,10 +13,10 @@ namespace hearth {
 
 namespace {
 
-/// Those that are as near to each other as can be.
+/// Around a point, where all steps are halved as often as can be.
 constexpr int kMostSlices = 1024;
 constexpr double kAround = 2 * std::numbers::pi;
-/// Light beyond full brightness may change by as large a part of it as light of so many levels.
+/// Of light of more levels the same part may change as of so many.
 constexpr double kFullBrightness = 255;
 /// What gives less than so many levels may be missed between two slices.
 constexpr double kMissed = 1;

@@ -23,6 +23,7 @@ class LightLattice {
   /// Which cells are divided: as needed, down to cells of one texel or of two by two. Two do if one
   /// point will be asked for in each texel: its own value takes no more than nodes around it.
   enum class Parts { None, DownToTwo, DownToOne };
+  /// How many nodes there are.
   struct Cells {
     int side;    ///< texels, about, of those that nothing divides
     int narrow;  ///< a rectangle that has no more texels across has one line of nodes in its middle
