@@ -91,6 +91,16 @@ TEST(Sky, LightsWallsByHalfOfItAtMostAndCeilingsNot) {
   EXPECT_NEAR(room.at(SurfaceKind::Solid, {0, 100, 3.5}), 100, 2);
 }
 
+TEST(AreaVisibility, TakesNoSlicesInALevelWithoutAreas) {
+  const LoadedLevel loaded =
+      levelFrom(levelText(underSky("plain", "-5,-5, 5,-5, 5,5, -5,5", 2)), "{'lights':[]}");
+  AreaVisibility areas(loaded.scene(), false);
+  std::int64_t slices = 0;
+  areas.findOnSurface({0, 0, 0}, SectorId(0), {0, 0, 1}, {}, slices);
+  areas.findFromAir({0, 0, 1}, SectorId(0), {}, slices);
+  EXPECT_EQ(slices, 0);
+}
+
 TEST(Sky, WhateverLambertSaysHasTheCosine) {
   const std::string yard = levelText(underSky("yard", "0,0, 8,0, 8,8, 0,8", 3));
   const BakedRoom with(yard, skyText(200, "", "{'lambert':true}"));

@@ -76,6 +76,8 @@ class AreaVisibility::Receiver {
   /// The slopes of which it makes anything.
   SlopeRange before() const { return before_; }
 
+  /// Of all directions.
+  double ofAll() const { return of(before_); }
   double of(SlopeRange slopes) const {
     const SlopeRange seen = common(slopes, before_);
     if (seen.isEmpty()) return 0;
@@ -131,42 +133,53 @@ AreaVisibility::AreaVisibility(const Scene& scene, bool solidMaskedMiddles, Gath
     : scene_(scene),
       accuracy_(accuracy),
       slice_(scene, solidMaskedMiddles),
+      firstSlices_(slice_.lights().bounced() == 0 ? accuracy.firstOfBounced : accuracy.firstSlices),
       small_(scene, slice_.lights()) {
   for (const std::size_t i : lights()) {
-    changes_.push_back(fractionFor(accuracy.change, scene.lights()[i]));
-    worth_.push_back(fractionFor(kMissed, scene.lights()[i]));
+    const LightSource& light = scene.lights()[i];
+    changes_.push_back(fractionFor(accuracy.changeOf(light), light));
+    worth_.push_back(fractionFor(kMissed, light));
   }
 }
 
-/// The integral over the compass of what slices have, as a fraction of `whole`.
+/// The integral over the compass of what slices have, as a fraction of the same integral of all
+/// that receivers can see, which is `whole`: so what looks the same everywhere is found exactly.
 template <typename InSlice>
 void AreaVisibility::integrate(Vec3 point, InSlice&& inSlice, double whole,
                                std::span<double> fractions, std::int64_t& slices) {
+  if (lights().empty()) return;
+  const std::size_t receivers = fractions.size() / lights().size();
   inSlices_.clear();
-  sums_.assign(fractions.size(), 0);
+  sums_.assign(fractions.size() + receivers, 0);
   narrow_.clear();
-  small_.findAround(point, 360.0 / accuracy_.firstSlices, worth_, narrow_);
-  const int width = kMostSlices / accuracy_.firstSlices;
+  small_.findAround(point, 360.0 / firstSlices_, worth_, narrow_);
+  const int width = kMostSlices / firstSlices_;
   atFirst_.clear();
   for (int number = 0; number < kMostSlices; number += width)
     atFirst_.push_back(slice(number, inSlice, slices));
   atFirst_.push_back(atFirst_.front());
-  setLimits(whole);
-  for (int i = 0; i < accuracy_.firstSlices; ++i)
+  setLimits(fractions.size(), whole);
+  for (int i = 0; i < firstSlices_; ++i)
     addStep({i * width, (i + 1) * width, atFirst_[static_cast<std::size_t>(i)],
              atFirst_[static_cast<std::size_t>(i) + 1]},
             inSlice, slices);
-  for (std::size_t k = 0; k < fractions.size(); ++k) fractions[k] = std::max(0.0, sums_[k] / whole);
+  for (std::size_t k = 0; k < fractions.size(); ++k) {
+    const double all = sums_[fractions.size() + k / lights().size()];
+    fractions[k] = all > 0 ? std::max(0.0, sums_[k] / all) : 0;
+  }
 }
 
-/// By what the first slices have.
-void AreaVisibility::setLimits(double whole) {
-  limits_.assign(sums_.size(), 0);
-  for (std::size_t i = 0; i < inSlices_.size(); ++i) limits_[i % limits_.size()] += inSlices_[i];
-  for (std::size_t k = 0; k < limits_.size(); ++k)
-    limits_[k] =
-        std::max(changes_[k % changes_.size()] * whole,
-                 accuracy_.change / kFullBrightness * kAround / accuracy_.firstSlices * limits_[k]);
+/// By what the first slices have. What receivers could see needs no more slices.
+void AreaVisibility::setLimits(std::size_t values, double whole) {
+  limits_.assign(values, 0);
+  for (const std::size_t first : std::span(atFirst_).first(atFirst_.size() - 1))
+    for (std::size_t k = 0; k < values; ++k) limits_[k] += inSlices_[first + k];
+  for (std::size_t k = 0; k < values; ++k) {
+    const std::size_t i = k % changes_.size();
+    const double change = accuracy_.changeOf(scene_.lights()[lights()[i]]);
+    limits_[k] = std::max(changes_[i] * whole,
+                          change / kFullBrightness * kAround / firstSlices_ * limits_[k]);
+  }
 }
 
 template <typename InSlice>
@@ -178,7 +191,7 @@ void AreaVisibility::addStep(const Step& step, const InSlice& inSlice, std::int6
     return (inSlices_[step.atFrom + k] + inSlices_[step.atTo + k]) / 2;
   };
   bool changes = false;
-  for (std::size_t k = 0; k < sums_.size(); ++k)
+  for (std::size_t k = 0; k < limits_.size(); ++k)
     changes |= half * std::abs(inSlices_[atMiddle + k] - meanOfEnds(k)) > limits_[k];
   if ((changes || hidesSmallArea(step)) && middle - step.from > 1) {
     addStep({step.from, middle, step.atFrom, atMiddle}, inSlice, slices);
@@ -210,9 +223,11 @@ std::size_t AreaVisibility::slice(int number, const InSlice& inSlice, std::int64
   return first;
 }
 
-/// The sums are those of all lights, receiver by receiver.
+/// The sums are those of all lights, receiver by receiver, and what each receiver can see at all.
 void AreaVisibility::addAreas(const InDirection& at, const std::vector<AreaInSlice>& areas,
                               std::span<double> sums) const {
+  for (std::size_t k = 0; k < at.receivers.size(); ++k)
+    sums[at.receivers.size() * lights().size() + k] = at.receivers[k].ofAll();
   for (const AreaInSlice& area : areas) {
     if (area.light)
       for (std::size_t k = 0; k < at.receivers.size(); ++k)
@@ -224,7 +239,7 @@ void AreaVisibility::addAreas(const InDirection& at, const std::vector<AreaInSli
 void AreaVisibility::addBounced(const InDirection& at, const AreaInSlice& area,
                                 std::span<double> sums) const {
   // Radians; slices in the middle of steps included.
-  const double betweenSlices = std::numbers::pi / accuracy_.firstSlices;
+  const double betweenSlices = std::numbers::pi / firstSlices_;
   // What is seen of a surface is brighter, by and large, than what something hides from the point
   // and the lights alike. So a slice must not take much of what it does not see itself.
   const double width = 0.3 * betweenSlices;

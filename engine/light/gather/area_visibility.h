@@ -22,8 +22,16 @@ inline double fractionFor(double levels, const LightSource& light) {
 
 /// How closely an AreaVisibility looks.
 struct GatherAccuracy {
-  int firstSlices = 16;  ///< around a point: a power of 2, at most 64
-  double change = 0.3;   ///< levels: steps between slices are halved while that changes more
+  int firstSlices = 16;    ///< around a point: a power of 2, at most 64
+  int firstOfBounced = 8;  ///< the same if light bounces, and there are no other areas
+  /// Levels: steps between slices are halved while that changes more, ...
+  double change = 0.3;
+  /// ... or so much of light that bounces, of which many small changes make up for one another.
+  double changeOfBounced = 1;
+
+  double changeOf(const LightSource& light) const {
+    return light.isBounced ? changeOfBounced : change;
+  }
 };
 
 /// Answers which fraction of the light of areas arrives at a point: the cosine to its normal,
@@ -72,7 +80,7 @@ class AreaVisibility {
   void addAreas(const InDirection& at, const std::vector<AreaInSlice>& areas,
                 std::span<double> sums) const;
   void addBounced(const InDirection& at, const AreaInSlice& area, std::span<double> sums) const;
-  void setLimits(double whole);
+  void setLimits(std::size_t values, double whole);
   bool hidesSmallArea(const Step& step) const;
   template <typename InSlice>
   void addStep(const Step& step, const InSlice& inSlice, std::int64_t& slices);
@@ -82,6 +90,7 @@ class AreaVisibility {
   Scene scene_;
   GatherAccuracy accuracy_;
   Slice slice_;
+  int firstSlices_;
   const Irradiance* irradiance_ = nullptr;
   SmallAreas small_;
   std::vector<double> changes_;  ///< of the fraction of each, that are worth more slices
@@ -90,7 +99,7 @@ class AreaVisibility {
   std::vector<CompassInterval> narrow_;  ///< around the point at hand
   std::vector<std::size_t> atFirst_;     ///< where values of the first slices begin
   std::vector<double> inSlices_;         ///< of those of the point at hand, one after the other
-  std::vector<double> sums_;
+  std::vector<double> sums_;             ///< of values of lights, and of what could be seen
 };
 
 }  // namespace hearth
