@@ -93,6 +93,18 @@ TEST(LightReport, TellsSpheresFromPoints) {
   EXPECT_EQ(report.points.rays + report.spheres.rays, report.all.rays);
 }
 
+TEST(LightReport, TellsWhatBouncesCost) {
+  const LoadedLevel room = roomWithCorner("[{'x':1,'y':1,'z':1}]");
+  EXPECT_EQ(reportOf(room).bounced.lights, 0);
+  BakeSettings settings{.texel = 0.5};
+  settings.bounces = 2;
+  const LightReport report = reportOf(room, settings);
+  EXPECT_EQ(report.bounced.lights, 1);
+  EXPECT_GT(report.bounced.samples, 0);
+  EXPECT_GT(report.bounced.rays, 0);
+  EXPECT_EQ(report.points.rays + report.bounced.rays, report.all.rays);
+}
+
 TEST(LightReport, CountsLightsThatReachNothing) {
   const LoadedLevel rooms = twoRooms(
       "[{'x':2,'y':2,'z':1},{'x':2,'y':2,'z':1,'intensity':0},{'x':2,'y':2,'z':1,'color':'#000000'}"

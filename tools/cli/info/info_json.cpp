@@ -54,6 +54,7 @@ nlohmann::ordered_json lightToJson(const BakeSettings& settings, const LightRepo
   object["suns"] = toJson(report.suns);
   object["skies"] = toJson(report.skies);
   object["emitters"] = toJson(report.emitters);
+  object["bounced"] = toJson(report.bounced);
   object["coloredLights"] = report.coloredLights;
   object["uselessLights"] = report.uselessLights;
   return object;

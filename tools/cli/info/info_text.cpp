@@ -79,6 +79,7 @@ void printLight(const Contents& contents) {
   printLights("suns", light.suns);
   printLights("skies", light.skies);
   printLights("emitters", light.emitters);
+  printLights("light that bounces", light.bounced);
   printLine("lights that reach nothing", light.uselessLights);
 }
 

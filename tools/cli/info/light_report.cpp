@@ -1,6 +1,7 @@
 #include "cli/info/light_report.h"
 
 #include <algorithm>
+#include <span>
 
 namespace hearth {
 
@@ -37,6 +38,14 @@ SurfaceReport reportOf(const BakedLight& light, std::size_t i) {
   return report;
 }
 
+/// Of light that bounces, whose channels are found together.
+void addBounced(std::span<const LightCost> channels, LightKindReport& bounced) {
+  if (channels.empty()) return;
+  bounced.lights = 1;
+  bounced.samples = channels.front().samples;
+  for (const LightCost& channel : channels) bounced.rays += channel.rays;
+}
+
 void addLights(const Level& level, const BakedLight& baked, LightReport& report) {
   for (std::size_t i = 0; i < level.lights.size(); ++i) {
     const LightSource& light = level.lights[i];
@@ -52,6 +61,7 @@ void addLights(const Level& level, const BakedLight& baked, LightReport& report)
     report.coloredLights += light.isColored() ? 1 : 0;
     report.uselessLights += light.reach(0) == 0 || cost.seenSamples == 0 ? 1 : 0;
   }
+  addBounced(std::span(baked.lightCosts).subspan(level.lights.size()), report.bounced);
 }
 
 }  // namespace

@@ -46,6 +46,7 @@ struct LightReport {
   LightKindReport suns;
   LightKindReport skies;     ///< one, or none; its rays are slices
   LightKindReport emitters;  ///< likewise
+  LightKindReport bounced;   ///< likewise, beyond the slices that find skies and emitters as well
   std::int64_t coloredLights = 0;
   std::int64_t uselessLights = 0;  ///< that give no light, or that nothing sees
 };
