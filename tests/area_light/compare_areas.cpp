@@ -13,6 +13,7 @@
 #include "light/bakery.h"
 #include "light/baking/mesh_light.h"
 #include "light/baking/surface_places.h"
+#include "light/sectors_of_meshes.h"
 #include "math/check.h"
 #include "math/parallel.h"
 #include "random_levels/random.h"

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <string>
 
+#include "light/gather/area_visibility.h"
 #include "light/light_hash.h"
 #include "light/rebake.h"
 #include "same_bakes.h"
@@ -79,6 +80,27 @@ TEST(Emitters, AreSeenHoweverSmallTheyAre) {
       EXPECT_NEAR(room.at(SurfaceKind::Floor, {x, y, 0}, "hall"), 9000 * seen, 1 + 360 * seen)
           << x << ' ' << y;
     }
+}
+
+/// A lamp of 0.4 m, and a room with no way to it.
+TEST(Emitters, TakeNoMoreSlicesWhereTheyCannotBeSeen) {
+  const auto slicesIn = [](std::string_view lamp) {
+    const LoadedLevel loaded = levelFrom(
+        fmt::format(
+            "{{'light':0,'sectors':{{{},'lamp':{{'floor':{{'texture':'#000000'}},"
+            "'ceiling':{{'z':3,'texture':'{}'}},'loops':{{'border':{{"
+            "'v':[9,1.8, 9.4,1.8, 9.4,2.2, 9,2.2],'walls':{{'texture':'#000000'}}}}}}}}}}}}",
+            test::sectorText("room", "0,0, 8,0, 8,8, 0,8", 0, 3), lamp),
+        emitText("'#ffffff':{'intensity':9000}", "{}"));
+    AreaVisibility areas(loaded.scene(), false);
+    double fraction = 0;
+    std::int64_t slices = 0;
+    for (double x = 0.5; x < 8; ++x)
+      areas.findOnSurface({x, 4, 0}, SectorId(0), {0, 0, 1}, {&fraction, 1}, slices);
+    EXPECT_EQ(fraction, 0);
+    return slices;
+  };
+  EXPECT_EQ(slicesIn("#ffffff"), slicesIn("#000000"));
 }
 
 TEST(Emitters, AreOfMeshesToo) {

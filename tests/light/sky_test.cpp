@@ -34,10 +34,10 @@ std::string underSky(std::string_view name, std::string_view vertices, double he
       name, height, vertices, walls);
 }
 
-/// Of four walls, one of which leads to another sector.
-std::string wallsTo(std::string_view next, int portal) {
+/// Of some walls, one of which leads to another sector.
+std::string wallsTo(std::string_view next, int portal, int count = 4) {
   std::string walls;
-  for (int i = 0; i < 4; ++i)
+  for (int i = 0; i < count; ++i)
     walls += fmt::format("{}{{{}'texture':'#808080'}}", i == 0 ? "" : ",",
                          i == portal ? fmt::format("'next':'{}',", next) : "");
   return fmt::format("[{}]", walls);
@@ -79,6 +79,25 @@ TEST(Sky, ThroughAShaftHasTheFormFactorOfItsOpening) {
       EXPECT_NEAR(onFloor(loaded, {p.x, p.y, 0}), opening, 0.003) << height;
     }
   }
+}
+
+/// Of 0.2 m, as high as the room, to a plain. Lines through it rise to the sky.
+TEST(Sky, IsSeenThroughHoweverNarrowAWindow) {
+  constexpr double kIntensity = 2550;
+  const LoadedLevel loaded =
+      levelFrom(levelText(sectorText("room", "-8,-8, 8,-8, 8,-0.1, 8,0.1, 8,8, -8,8", 0, 3,
+                                     wallsTo("plain", 2, 6)) +
+                          "," +
+                          underSky("plain", "8,-0.1, 8,-999, 999,-999, 999,999, 8,999, 8,0.1", 3,
+                                   wallsTo("room", 5, 6))),
+                skyText(kIntensity));
+  for (double x = 0; x < 7; x += 0.9)
+    for (double y = -7; y < 7; y += 0.61) {
+      const double width = std::atan2(0.1 - y, 8 - x) - std::atan2(-0.1 - y, 8 - x);
+      const double square = (8 - x) * (8 - x) + y * y;
+      const double seen = width / (2 * std::numbers::pi) * 9 / (square + 9);
+      EXPECT_NEAR(onFloor(loaded, {x, y, 0}), seen, 1 / kIntensity + 0.04 * seen) << x << ' ' << y;
+    }
 }
 
 TEST(Sky, LightsWallsByHalfOfItAtMostAndCeilingsNot) {

@@ -13,6 +13,7 @@
 #include "light/baking/patch_light.h"
 #include "light/baking/surface_light.h"
 #include "light/grid/texel_limits.h"
+#include "light/sectors_of_meshes.h"
 #include "math/parallel.h"
 
 namespace hearth {

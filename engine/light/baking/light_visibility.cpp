@@ -360,7 +360,7 @@ void LightVisibility::prefetchBeams() const {
 
 GatherAccuracy LightVisibilities::accuracyFor(Purpose purpose) {
   if (purpose == Purpose::Source)
-    return {.firstSlices = 8, .firstOfBounced = 8, .change = 2, .changeOfBounced = 2};
+    return {.firstSlices = 8, .change = 2, .changeOfBounced = 2};
   return {};
 }
 

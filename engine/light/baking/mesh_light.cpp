@@ -8,6 +8,7 @@
 #include "light/baking/baked_surface.h"
 #include "light/baking/corner_light.h"
 #include "light/baking/patch_light.h"
+#include "light/sectors_of_meshes.h"
 #include "math/parallel.h"
 
 namespace hearth {
@@ -30,12 +31,6 @@ struct MeshLighter::Result {
   std::size_t facingLights = 0;
   SectorSet met;
 };
-
-std::vector<std::vector<SectorId>> sectorsOfMeshes(const Level& level) {
-  std::vector<std::vector<SectorId>> sectors(level.meshes.size());
-  for (const MeshInSector& at : level.meshesBySector) sectors[at.mesh].push_back(at.sector);
-  return sectors;
-}
 
 MeshLighter::MeshLighter(const Scene& scene, const LightVisibilities& visibilities,
                          const BakeSettings& settings, int threads,

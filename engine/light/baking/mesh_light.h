@@ -24,9 +24,6 @@ struct MeshLight {
   SectorSet met;                     ///< sectors that light of areas comes through
 };
 
-/// The sectors that each mesh is in.
-std::vector<std::vector<SectorId>> sectorsOfMeshes(const Level& level);
-
 /// Finds the light of meshes: what is larger than a texel gets it as surfaces do, smaller faces at
 /// their corners.
 class MeshLighter {

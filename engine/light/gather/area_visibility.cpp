@@ -133,7 +133,6 @@ AreaVisibility::AreaVisibility(const Scene& scene, bool solidMaskedMiddles, Gath
     : scene_(scene),
       accuracy_(accuracy),
       slice_(scene, solidMaskedMiddles),
-      firstSlices_(slice_.lights().bounced() == 0 ? accuracy.firstOfBounced : accuracy.firstSlices),
       small_(scene, slice_.lights()) {
   for (const std::size_t i : lights()) {
     const LightSource& light = scene.lights()[i];
@@ -145,21 +144,21 @@ AreaVisibility::AreaVisibility(const Scene& scene, bool solidMaskedMiddles, Gath
 /// The integral over the compass of what slices have, as a fraction of the same integral of all
 /// that receivers can see, which is `whole`: so what looks the same everywhere is found exactly.
 template <typename InSlice>
-void AreaVisibility::integrate(Vec3 point, InSlice&& inSlice, double whole,
-                               std::span<double> fractions, std::int64_t& slices) {
+void AreaVisibility::integrate(const SliceStart& start, InSlice&& inSlice, double whole,
+                               std::span<double> fractions, std::int64_t& slices, SectorSet* met) {
   if (lights().empty()) return;
   const std::size_t receivers = fractions.size() / lights().size();
   inSlices_.clear();
   sums_.assign(fractions.size() + receivers, 0);
   narrow_.clear();
-  small_.findAround(point, 360.0 / firstSlices_, worth_, narrow_);
-  const int width = kMostSlices / firstSlices_;
+  small_.findAround(start, 360.0 / accuracy_.firstSlices, worth_, narrow_, met);
+  const int width = kMostSlices / accuracy_.firstSlices;
   atFirst_.clear();
   for (int number = 0; number < kMostSlices; number += width)
     atFirst_.push_back(slice(number, inSlice, slices));
   atFirst_.push_back(atFirst_.front());
   setLimits(fractions.size(), whole);
-  for (int i = 0; i < firstSlices_; ++i)
+  for (int i = 0; i < accuracy_.firstSlices; ++i)
     addStep({i * width, (i + 1) * width, atFirst_[static_cast<std::size_t>(i)],
              atFirst_[static_cast<std::size_t>(i) + 1]},
             inSlice, slices);
@@ -178,7 +177,7 @@ void AreaVisibility::setLimits(std::size_t values, double whole) {
     const std::size_t i = k % changes_.size();
     const double change = accuracy_.changeOf(scene_.lights()[lights()[i]]);
     limits_[k] = std::max(changes_[i] * whole,
-                          change / kFullBrightness * kAround / firstSlices_ * limits_[k]);
+                          change / kFullBrightness * kAround / accuracy_.firstSlices * limits_[k]);
   }
 }
 
@@ -239,7 +238,7 @@ void AreaVisibility::addAreas(const InDirection& at, const std::vector<AreaInSli
 void AreaVisibility::addBounced(const InDirection& at, const AreaInSlice& area,
                                 std::span<double> sums) const {
   // Radians; slices in the middle of steps included.
-  const double betweenSlices = std::numbers::pi / firstSlices_;
+  const double betweenSlices = std::numbers::pi / accuracy_.firstSlices;
   // What is seen of a surface is brighter, by and large, than what something hides from the point
   // and the lights alike. So a slice must not take much of what it does not see itself.
   const double width = 0.3 * betweenSlices;
@@ -271,7 +270,7 @@ void AreaVisibility::findBefore(const SliceStart& start, std::span<const Vec3> n
     addAreas({start.point, direction, receivers}, slice_.areas(start, direction, beforeAny, met),
              sums);
   };
-  integrate(start.point, inSlice, std::numbers::pi, fractions, slices);
+  integrate(start, inSlice, std::numbers::pi, fractions, slices, met);
 }
 
 void AreaVisibility::findOnSurface(Vec3 point, SectorId sector, Vec3 normal,
@@ -290,11 +289,12 @@ void AreaVisibility::findOnMesh(Vec3 point, SectorId sector, std::span<const Vec
 void AreaVisibility::findFromAir(Vec3 point, SectorId sector, std::span<double> fractions,
                                  std::int64_t& slices) {
   const Receiver air;
+  const SliceStart start{point, sector, kArrival};
   const auto inSlice = [&](Vec2 direction, std::span<double> sums) {
-    addAreas({point, direction, {&air, 1}},
-             slice_.areas({point, sector, kArrival}, direction, air.before(), nullptr), sums);
+    addAreas({point, direction, {&air, 1}}, slice_.areas(start, direction, air.before(), nullptr),
+             sums);
   };
-  integrate(point, inSlice, 4 * std::numbers::pi, fractions, slices);
+  integrate(start, inSlice, 4 * std::numbers::pi, fractions, slices, nullptr);
 }
 
 }  // namespace hearth

@@ -22,10 +22,9 @@ inline double fractionFor(double levels, const LightSource& light) {
 
 /// How closely an AreaVisibility looks.
 struct GatherAccuracy {
-  int firstSlices = 16;    ///< around a point: a power of 2, at most 64
-  int firstOfBounced = 8;  ///< the same if light bounces, and there are no other areas
+  int firstSlices = 8;  ///< around a point: a power of 2, at most 64
   /// Levels: steps between slices are halved while that changes more, ...
-  double change = 0.3;
+  double change = 0.15;
   /// ... or so much of light that bounces, of which many small changes make up for one another.
   double changeOfBounced = 1;
 
@@ -42,7 +41,8 @@ struct GatherAccuracy {
 ///
 /// In each of some compass directions a slice tells the slopes in question, over which the cosine
 /// is integrated exactly. Between compass directions the trapezoid rule halves its steps while that
-/// changes something, and where a surface that shines is narrower than a step.
+/// changes something, and where a surface that shines, or a window to the sky, is narrower than a
+/// step.
 class AreaVisibility {
  public:
   /// Of all lights of the scene that are areas. `solidMaskedMiddles`: see BakeSettings.
@@ -75,8 +75,8 @@ class AreaVisibility {
   void findBefore(const SliceStart& start, std::span<const Vec3> normals,
                   std::span<double> fractions, std::int64_t& slices, SectorSet* met);
   template <typename InSlice>
-  void integrate(Vec3 point, InSlice&& inSlice, double whole, std::span<double> fractions,
-                 std::int64_t& slices);
+  void integrate(const SliceStart& start, InSlice&& inSlice, double whole,
+                 std::span<double> fractions, std::int64_t& slices, SectorSet* met);
   void addAreas(const InDirection& at, const std::vector<AreaInSlice>& areas,
                 std::span<double> sums) const;
   void addBounced(const InDirection& at, const AreaInSlice& area, std::span<double> sums) const;
@@ -90,7 +90,6 @@ class AreaVisibility {
   Scene scene_;
   GatherAccuracy accuracy_;
   Slice slice_;
-  int firstSlices_;
   const Irradiance* irradiance_ = nullptr;
   SmallAreas small_;
   std::vector<double> changes_;  ///< of the fraction of each, that are worth more slices

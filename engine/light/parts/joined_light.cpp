@@ -6,6 +6,7 @@
 #include "light/baking/baked_surface.h"
 #include "light/baking/mesh_light.h"
 #include "light/baking/surface_places.h"
+#include "light/sectors_of_meshes.h"
 
 namespace hearth {
 
