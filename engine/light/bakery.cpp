@@ -127,6 +127,8 @@ std::optional<std::string> mistakeInSettings(const Scene& scene, const BakeSetti
     if (const auto mistake = mistakeInSquare(settings.softSamples))
       return fmt::format("soft-samples: {}", *mistake);
   if (!(settings.cutOff >= 0)) return fmt::format("cut-off: {} is less than 0", settings.cutOff);
+  if (!(settings.gatherError > 0))
+    return fmt::format("gather-error: {} is not more than 0", settings.gatherError);
   if (const auto mistake = mistakeInTexel(scene, settings.texel))
     return fmt::format("texel: {}", *mistake);
   return std::nullopt;

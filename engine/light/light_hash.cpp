@@ -8,9 +8,9 @@ namespace hearth {
 
 namespace {
 
-void add(Hash& hash, const BakeSettings& settings) {
+void add(Hash& hash, const BakeSettings& settings, bool haveAreas) {
   // By name, so that no new member is forgotten.
-  const auto& [texel, samples, softSamples, cutOff, lambert, bounces, reflectance,
+  const auto& [texel, samples, softSamples, cutOff, lambert, bounces, reflectance, gatherError,
                solidMaskedMiddles] = settings;
   hash.addReal(texel);
   hash.addReal(cutOff);
@@ -18,6 +18,7 @@ void add(Hash& hash, const BakeSettings& settings) {
        {samples.value_or(0), softSamples, lambert ? 1 : 0, bounces, solidMaskedMiddles ? 1 : 0})
     hash.addWhole(static_cast<std::uint64_t>(number));
   if (bounces > 0) hash.addReal(reflectance);
+  if (haveAreas) hash.addReal(gatherError);
 }
 
 }  // namespace
@@ -31,7 +32,7 @@ std::uint64_t lightHash(const Scene& scene, const BakeSettings& settings) {
   for (const Mesh& mesh : level.meshes) addShining(hash, level, areas, mesh);
   hash.addWhole(level.lights.size());
   for (const LightSource& light : level.lights) addLight(hash, light, light.sector.value);
-  add(hash, settings);
+  add(hash, settings, settings.bounces > 0 || !areas.lights().empty());
   if (settings.bounces > 0) addReflectances(hash, level);
   return hash.value();
 }

@@ -286,7 +286,8 @@ AreaTally compareTexels(LoadedLevel loaded, Areas areas, std::string_view name, 
       .compareTexels(count, threads);
 }
 
-AreaTally compareRandomLevel(std::uint64_t seed, Areas areas, const std::filesystem::path& folder) {
+AreaTally compareRandomLevel(std::uint64_t seed, Areas areas, const std::filesystem::path& folder,
+                             double gatherError) {
   const RandomLevel random = makeRandomLevel(seed);
   CHECK(writeRandomLevel(folder, random), seed);
   LoadResult result = loadLevel(folder / (random.name + ".json"));
@@ -294,6 +295,7 @@ AreaTally compareRandomLevel(std::uint64_t seed, Areas areas, const std::filesys
   std::filesystem::remove(folder / (random.name + ".json"));
   std::filesystem::remove(folder / (random.name + ".lights.json"));
   if (areas == Areas::Sky && !hasSky(result.loaded->level)) return {};
+  result.loaded->level.bake.gatherError = gatherError;
   constexpr int kThreads = 1;  // levels are compared side by side
   return Comparison(withAreasOnly(std::move(result.loaded->level), areas), result.loaded->geometry,
                     fmt::format("seed {}", seed), kThreads)

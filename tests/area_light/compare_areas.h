@@ -26,6 +26,7 @@ AreaTally compareTexels(LoadedLevel loaded, Areas areas, std::string_view name, 
 
 /// Some texels of every surface and patch, small faces and all sprites of the random level of
 /// `seed`. `folder` holds the textures of random levels; the level is written there for the time.
-AreaTally compareRandomLevel(std::uint64_t seed, Areas areas, const std::filesystem::path& folder);
+AreaTally compareRandomLevel(std::uint64_t seed, Areas areas, const std::filesystem::path& folder,
+                             double gatherError = BakeSettings{}.gatherError);
 
 }  // namespace hearth::area_light

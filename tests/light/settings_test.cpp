@@ -33,6 +33,12 @@ TEST(BakeSettings, takeSquareNumbersOfSoftSamples) {
   EXPECT_EQ(mistakeIn({.softSamples = 60}), "soft-samples: 60 is no square number, try 64");
 }
 
+TEST(BakeSettings, takeGatherErrorsOfMoreThanNothing) {
+  EXPECT_EQ(mistakeIn({.gatherError = 0.001}), "");
+  for (const double wrong : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN()})
+    EXPECT_TRUE(mistakeIn({.gatherError = wrong}).starts_with("gather-error: ")) << wrong;
+}
+
 TEST(BakeSettings, takeCutOffsFromNothingOn) {
   EXPECT_EQ(mistakeIn({.cutOff = 4}), "");
   for (const double wrong : {-1.0, std::numeric_limits<double>::quiet_NaN()})

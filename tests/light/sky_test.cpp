@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "light/bakery.h"
 #include "light/gather/area_visibility.h"
 #include "light/gather/light_lattice.h"
 #include "support/baked_room.h"
@@ -98,6 +99,23 @@ TEST(Sky, IsSeenThroughHoweverNarrowAWindow) {
       const double seen = width / (2 * std::numbers::pi) * 9 / (square + 9);
       EXPECT_NEAR(onFloor(loaded, {x, y, 0}), seen, 1 / kIntensity + 0.04 * seen) << x << ' ' << y;
     }
+}
+
+/// In a shaft, where the light of the sky is uneven.
+TEST(Sky, TakesFewerSlicesTheFartherOffItMayBe) {
+  const LoadedLevel loaded =
+      levelFrom(levelText(underSky("shaft", "0,0, 4,0, 4,3, 0,3", 4)), skyText(250));
+  std::vector<std::int64_t> slices;
+  std::vector<double> floors;
+  for (const double gatherError : {0.25, 1.0, 4.0}) {
+    const BakedLight light = bake(loaded.scene(), {.gatherError = gatherError}, 1);
+    slices.push_back(light.lightCosts.at(0).rays);
+    floors.push_back(light.lightmaps.at(0)->at(4, 5));
+  }
+  EXPECT_GT(slices[0], 2 * slices[1]);
+  EXPECT_GT(slices[1], 2 * slices[2]);
+  EXPECT_NEAR(floors[1], floors[0], 2);
+  EXPECT_NEAR(floors[2], floors[0], 6);
 }
 
 TEST(Sky, LightsWallsByHalfOfItAtMostAndCeilingsNot) {

@@ -231,6 +231,15 @@ TEST(LightHash, isAnotherWithEverySettingAndWithTheGeometry) {
   EXPECT_EQ(std::ranges::adjacent_find(hashes), hashes.end());
 }
 
+TEST(LightHash, isAnotherWithTheGatherErrorWhereLightIsGathered) {
+  const LoadedLevel loaded = room();
+  const auto hashOf = [&](int bounces, double gatherError) {
+    return lightHash(loaded.scene(), {.bounces = bounces, .gatherError = gatherError});
+  };
+  EXPECT_EQ(hashOf(0, 2), hashOf(0, 1));
+  EXPECT_NE(hashOf(1, 2), hashOf(1, 1));
+}
+
 TEST(LightHash, staysWithNamesTexturesShotsAndSectorLight) {
   const LoadedLevel loaded = room();
   const Level& level = loaded.level;

@@ -91,8 +91,8 @@ TEST(Budget, saysWhatItHasPickedAndWhatToExpect) {
   BakeSettings settings;
   settings.texel = 0.25;
   EXPECT_EQ(words(FittingBake{settings, 1.23, 7.8}),
-            "--texel 0.25 --samples 1 --soft-samples 36 --cut-off 0 --bounces 0 --no-lambert: "
-            "about 1.2 s, light off by about 7.8 levels (RMS)");
+            "--texel 0.25 --samples 1 --soft-samples 36 --cut-off 0 --gather-error 1 --bounces 0 "
+            "--no-lambert: about 1.2 s, light off by about 7.8 levels (RMS)");
 }
 
 }  // namespace

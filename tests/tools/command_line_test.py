@@ -532,14 +532,15 @@ class SavedBake(InFolder):
         self.level = self.copy_level('"v": [0,4, 4,4, 4,8, 0,8]', '"v": [0,4, 4,4, 4,7.9999, 0,7.9999]')
         self.refuse_bake(r"rooms\.bake was baked for other geometry than the level has now, with the "
                          r'settings "--texel 0\.5 --samples 1 --soft-samples 36 --cut-off 0 '
-                         r'--bounces 0 --no-lambert": '
+                         r'--gather-error 1 --bounces 0 --no-lambert": '
                          r"bake again with `\S*hearth bake \S*copy\.json -o \S*rooms\.bake`")
         self.bake_again()
         self.draw("--light-from", self.bake)
 
     def test_is_refused_beside_options_of_a_bake(self):
         for options in [("--texel", "0.5"), ("--samples", "4"), ("--soft-samples", "16"),
-                        ("--cut-off", "1"), ("--bounces", "0"), ("--lambert",), ("--no-lambert",)]:
+                        ("--cut-off", "1"), ("--gather-error", "2"), ("--bounces", "0"), ("--lambert",),
+                        ("--no-lambert",)]:
             with self.subTest(options=options):
                 self.refuse_bake(f"--light-from: .*baked already; leave out {' '.join(options)}$",
                                  *options)

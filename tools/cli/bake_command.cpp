@@ -53,8 +53,8 @@ tl::expected<BakeSettings, std::string> settingsInTime(const Scene& scene,
                                                        const OptionValues& values) {
   const std::optional<double> budget = values.number(Option::TimeBudget);
   if (!budget) return bakeSettingsFor(scene, values);
-  for (const Option option :
-       {Option::Quality, Option::Texel, Option::Samples, Option::SoftSamples, Option::CutOff})
+  for (const Option option : {Option::Quality, Option::Texel, Option::Samples, Option::SoftSamples,
+                              Option::CutOff, Option::GatherError})
     if (values.has(option))
       return tl::unexpected(fmt::format("give --time-budget or {}, not both", row(option).name));
   const auto settings = bakeSettingsFor(scene, values);

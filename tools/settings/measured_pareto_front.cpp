@@ -17,10 +17,10 @@ constexpr std::array kMeasuredFrames = {
 };
 
 constexpr std::array kMeasuredBakes = {
-    MeasuredBake{{0.25, true, 64}, 24, 2.5},  MeasuredBake{{0.25, false, 64}, 12, 2.7},
-    MeasuredBake{{0.5, false, 16}, 2.1, 4.0}, MeasuredBake{{1, false, 16}, 0.75, 5.6},
-    MeasuredBake{{1, false, 0}, 0.30, 6.2},   MeasuredBake{{2, false, 0}, 0.16, 8.5},
-    MeasuredBake{{4, false, 0}, 0.11, 12.5},
+    MeasuredBake{{0.25, true, 64, 0.25}, 24, 2.5}, MeasuredBake{{0.25, false, 64, 0.25}, 12, 2.7},
+    MeasuredBake{{0.5, false, 16, 1}, 2.1, 4.0},   MeasuredBake{{1, false, 16, 1}, 0.75, 5.6},
+    MeasuredBake{{1, false, 0, 2}, 0.30, 6.2},     MeasuredBake{{2, false, 0, 4}, 0.16, 8.5},
+    MeasuredBake{{4, false, 0, 8}, 0.11, 12.5},
 };
 
 template <typename Measured>

@@ -8,7 +8,8 @@ namespace hearth {
 namespace {
 
 // As tools/measure_settings.py prints them, but costs of runs in which the machine was less busy;
-// the castle's bakes took two threads there.
+// the castle's bakes took two threads there. Those of gather errors are of light that bounces, in
+// tests/MEASUREMENTS.md.
 constexpr std::array kSettings = {
     MeasuredSetting{Option::Texel, "0.125", 1, 5.6},
     MeasuredSetting{Option::Texel, "1", 0.14, 17},
@@ -31,6 +32,12 @@ constexpr std::array kSettings = {
     MeasuredSetting{Option::CutOff, "1", 0.99, 5.6},
     MeasuredSetting{Option::CutOff, "4", 1, 5.6},
     MeasuredSetting{Option::CutOff, "16", 0.97, 6.6},
+    MeasuredSetting{Option::GatherError, "1", 1, 2.9},
+    MeasuredSetting{Option::GatherError, "0.25", 4.1, 2.3},
+    MeasuredSetting{Option::GatherError, "0.5", 2.2, 2.8},
+    MeasuredSetting{Option::GatherError, "2", 0.46, 3.4},
+    MeasuredSetting{Option::GatherError, "4", 0.32, 5.1},
+    MeasuredSetting{Option::GatherError, "8", 0.23, 5.7},
     MeasuredSetting{Option::MiddleShadows, "holes", 1, 12},
     MeasuredSetting{Option::MiddleShadows, "solid", 0.32, 45},
     MeasuredSetting{Option::MoverStages, "0", 1, 0.94},

@@ -137,6 +137,9 @@ constexpr std::array kTable = {
               "is a point"},
     OptionRow{Option::CutOff, "--cut-off", ValueKind::Number, "LEVELS", 0, 255, "0: nothing",
               "leave a light out from where on it has no more than so many levels"},
+    OptionRow{Option::GatherError, "--gather-error", ValueKind::Number, "LEVELS", 0.0625, 64, "1",
+              "how far light of sky, of surfaces that shine, and half of what bounces may be off "
+              "where it is interpolated"},
     OptionRow{Option::MiddleShadows, "--middle-shadows", ValueKind::Choice, "holes|solid", 0, 0,
               "holes", "of what hangs in openings: with its holes, or as if it had none"},
     OptionRow{Option::Bounces, "--bounces", ValueKind::Integer, "COUNT", 0, 16, "0",
@@ -311,8 +314,9 @@ std::vector<Option> limitOptions() {
 }
 
 std::vector<Option> settingOptions() {
-  return {Option::Texel,         Option::Samples, Option::SoftSamples, Option::CutOff,
-          Option::MiddleShadows, Option::Bounces, Option::Lambert,     Option::NoLambert};
+  return {Option::Texel,   Option::Samples,     Option::SoftSamples,
+          Option::CutOff,  Option::GatherError, Option::MiddleShadows,
+          Option::Bounces, Option::Lambert,     Option::NoLambert};
 }
 
 std::vector<Option> drawOptions() {

@@ -69,6 +69,7 @@ enum class Option {
   Samples,
   SoftSamples,
   CutOff,
+  GatherError,
   MiddleShadows,
   Bounces,
   Lambert,

@@ -14,10 +14,10 @@ constexpr DrawSettings kExact{};
 constexpr DrawSettings kTwoByTwoPixels{.pixelSize = 2};
 
 constexpr std::array kQualities = {
-    Quality{"draft", {2, false, 0}, kTwoByTwoPixels},
-    Quality{"normal", {1, false, 36}, kExact},
-    Quality{"high", {0.5, false, 36}, kExact},
-    Quality{"reference", {0.25, true, 64}, kExact},
+    Quality{"draft", {2, false, 0, 4}, kTwoByTwoPixels},
+    Quality{"normal", {1, false, 36, 1}, kExact},
+    Quality{"high", {0.5, false, 36, 1}, kExact},
+    Quality{"reference", {0.25, true, 64, 0.25}, kExact},
 };
 
 }  // namespace
@@ -27,6 +27,7 @@ BakeSettings BakeQuality::appliedTo(const BakeSettings& authored) const {
   settings.texel *= texelScale;
   if (adaptiveSamples) settings.samples.reset();
   settings.softSamples = softSamples;
+  settings.gatherError = gatherError;
   return settings;
 }
 

@@ -14,6 +14,7 @@ struct BakeQuality {
   double texelScale;     ///< factor on the level's texel size
   bool adaptiveSamples;  ///< as many samples as edges of shadows need; else as the level says
   int softSamples;
+  double gatherError;
 
   BakeSettings appliedTo(const BakeSettings& authored) const;
 };

@@ -43,6 +43,7 @@ BakeSettings bakeSettingsFrom(const Scene& scene, const OptionValues& values) {
   if (const auto softSamples = values.number(Option::SoftSamples))
     settings.softSamples = static_cast<int>(*softSamples);
   settings.cutOff = values.number(Option::CutOff).value_or(settings.cutOff);
+  settings.gatherError = values.number(Option::GatherError).value_or(settings.gatherError);
   if (const auto shadows = values.text(Option::MiddleShadows))
     settings.solidMaskedMiddles = *shadows == "solid" && hasMaskedMiddles(scene);
   if (const auto bounces = values.number(Option::Bounces))
@@ -72,6 +73,8 @@ std::string valueOf(const BakeSettings& settings, Option option) {
       return fmt::to_string(settings.softSamples);
     case Option::CutOff:
       return fmt::to_string(settings.cutOff);
+    case Option::GatherError:
+      return fmt::to_string(settings.gatherError);
     case Option::Bounces:
       return fmt::to_string(settings.bounces);
     case Option::MiddleShadows:
@@ -84,8 +87,8 @@ std::string valueOf(const BakeSettings& settings, Option option) {
 
 std::string optionsOf(const BakeSettings& settings) {
   std::string options;
-  for (const Option option :
-       {Option::Texel, Option::Samples, Option::SoftSamples, Option::CutOff, Option::Bounces})
+  for (const Option option : {Option::Texel, Option::Samples, Option::SoftSamples, Option::CutOff,
+                              Option::GatherError, Option::Bounces})
     options += fmt::format("{} {} ", row(option).name, valueOf(settings, option));
   options += settings.lambert ? "--lambert" : "--no-lambert";
   return options + (settings.solidMaskedMiddles ? " --middle-shadows solid" : "");

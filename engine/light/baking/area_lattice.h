@@ -33,13 +33,14 @@ class AreaLattice {
       : surface_(places.surface()),
         areas_(visibilities.areas()),
         fineness_(finenessFor(visibilities.purpose())),
-        lattice_(surface_.texels, fineness_.cells,
-                 tolerancesOf(scene, areas_.lights(), fineness_.levels),
-                 [this, &places, find = std::move(findAt)](Vec2 p, std::span<double> fractions) {
-                   const SamplePoint at = places.place(p);
-                   return !(places.mayLeaveOut() && places.isLeftOut(at)) &&
-                          find(at, areas_, fractions, slices_, met_);
-                 }) {}
+        lattice_(
+            surface_.texels, fineness_.cells,
+            tolerancesOf(scene, areas_.lights(), fineness_.levels * visibilities.gatherError()),
+            [this, &places, find = std::move(findAt)](Vec2 p, std::span<double> fractions) {
+              const SamplePoint at = places.place(p);
+              return !(places.mayLeaveOut() && places.isLeftOut(at)) &&
+                     find(at, areas_, fractions, slices_, met_);
+            }) {}
   AreaLattice(const AreaLattice&) = delete;
   AreaLattice& operator=(const AreaLattice&) = delete;
 
@@ -53,7 +54,7 @@ class AreaLattice {
   /// Of the lattice.
   struct Fineness {
     LightLattice::Cells cells;
-    double levels;  ///< by which interpolation may be off
+    double levels;  ///< by which interpolation may be off if the gather error is 1
   };
 
   static Fineness finenessFor(LightVisibilities::Purpose purpose);

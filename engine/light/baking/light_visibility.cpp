@@ -358,10 +358,9 @@ void LightVisibility::prefetchBeams() const {
   if (beams_ && !beams_->hasBegun.test_and_set()) beams();
 }
 
-GatherAccuracy LightVisibilities::accuracyFor(Purpose purpose) {
-  if (purpose == Purpose::Source)
-    return {.firstSlices = 8, .change = 2, .changeOfBounced = 2};
-  return {};
+GatherAccuracy LightVisibilities::accuracyFor(Purpose purpose, double gatherError) {
+  const GatherAccuracy ofSource{.change = 2, .changeOfBounced = 2};
+  return (purpose == Purpose::Source ? ofSource : GatherAccuracy{}).times(gatherError);
 }
 
 LightVisibilities::LightVisibilities(const Scene& scene, const BakeSettings& settings,
@@ -378,7 +377,7 @@ LightVisibilities::LightVisibilities(const Scene& scene, const BakeSettings& set
       regions_(std::move(regions)),
       purpose_(purpose),
       irradiance_(std::move(irradiance)),
-      areas_(scene, settings.solidMaskedMiddles, accuracyFor(purpose)),
+      areas_(scene, settings.solidMaskedMiddles, accuracyFor(purpose, settings.gatherError)),
       lights_(reach.lights()) {}
 
 AreaVisibility LightVisibilities::areas() const {

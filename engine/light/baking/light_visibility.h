@@ -153,6 +153,7 @@ class LightVisibilities {
   /// A new one: each of the threads that ask needs its own.
   AreaVisibility areas() const;
   Purpose purpose() const { return purpose_; }
+  double gatherError() const { return settings_.gatherError; }
   /// See LightVisibility; what has no place has no beams.
   void prefetchBeams(std::size_t light) const {
     if (scene_.lights()[light].hasPlace()) fine(light).prefetchBeams();
@@ -170,7 +171,7 @@ class LightVisibilities {
     std::optional<SunVisibility> roughSun;
   };
 
-  static GatherAccuracy accuracyFor(Purpose purpose);
+  static GatherAccuracy accuracyFor(Purpose purpose, double gatherError);
   const Light& ready(std::size_t light) const {
     if (!lights_[light].isReady.load(std::memory_order_acquire)) makeReady(light);
     return lights_[light];

@@ -18,8 +18,6 @@ constexpr int kMostSlices = 1024;
 constexpr double kAround = 2 * std::numbers::pi;
 /// Of light of more levels the same part may change as of so many.
 constexpr double kFullBrightness = 255;
-/// What gives less than so many levels may be missed between two slices.
-constexpr double kMissed = 1;
 
 /// Degrees. None runs along an axis: walls do, and their corners lie in line.
 double compassOf(int slice) {
@@ -137,7 +135,7 @@ AreaVisibility::AreaVisibility(const Scene& scene, bool solidMaskedMiddles, Gath
   for (const std::size_t i : lights()) {
     const LightSource& light = scene.lights()[i];
     changes_.push_back(fractionFor(accuracy.changeOf(light), light));
-    worth_.push_back(fractionFor(kMissed, light));
+    worth_.push_back(fractionFor(accuracy.missed, light));
   }
 }
 

@@ -20,13 +20,19 @@ inline double fractionFor(double levels, const LightSource& light) {
   return levels / std::max(levels, light.intensity * light.greatestFactor());
 }
 
-/// How closely an AreaVisibility looks.
+/// How closely an AreaVisibility looks. All but the number of slices are levels.
 struct GatherAccuracy {
   int firstSlices = 8;  ///< around a point: a power of 2, at most 64
-  /// Levels: steps between slices are halved while that changes more, ...
+  /// Steps between slices are halved while that changes more, ...
   double change = 0.15;
   /// ... or so much of light that bounces, of which many small changes make up for one another.
   double changeOfBounced = 1;
+  double missed = 1;  ///< what is narrow may be missed between two slices if it gives less
+
+  /// With so many times the levels.
+  GatherAccuracy times(double factor) const {
+    return {firstSlices, factor * change, factor * changeOfBounced, factor * missed};
+  }
 
   double changeOf(const LightSource& light) const {
     return light.isBounced ? changeOfBounced : change;

@@ -67,9 +67,12 @@ class Trials {
 std::vector<Choices> allChoices() {
   std::vector<Choices> all{{}};
   for (const Quality& quality : qualities()) all.push_back({{Option::Quality, quality.name}});
-  for (const Approximation& approximation : approximations())
+  for (const Approximation& approximation : approximations()) {
+    // The pictures of truth have no light of areas.
+    if (approximation.setting == Option::GatherError) continue;
     for (const std::string_view value : triedOf(approximation))
       all.push_back({{approximation.setting, value}});
+  }
   for (const Choices& bake : kBakeTrials)
     for (const Choices& frame : kFrameTrials) {
       all.push_back(bake);
