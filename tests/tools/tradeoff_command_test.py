@@ -68,6 +68,12 @@ class Tradeoff(unittest.TestCase):
         for path in [line.strip() for line in result.stdout.splitlines() if "engine/" in line]:
             self.assertTrue((SOURCE / path).is_file(), path)
 
+    def test_leaves_out_what_truth_does_not_draw(self):
+        direct, bounced = measure_room("--csv"), measure_room("--csv", "--bounces", "2")
+        self.assertEqual(direct.stderr, "")
+        self.assertRegex(bounced.stderr, "room.json: light .* that bounces is not measured")
+        self.assertEqual(rows(bounced)[0]["light_rms"], rows(direct)[0]["light_rms"])
+
     def test_needs_a_level_to_measure(self):
         self.refuse(run(), "LEVEL is required")
 

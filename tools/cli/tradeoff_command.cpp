@@ -1,5 +1,8 @@
 #include <fmt/format.h>
 
+#include <utility>
+#include <vector>
+
 #include "cli/command.h"
 #include "inputs/inputs.h"
 #include "measure/tradeoff/mover_trials.h"
@@ -55,11 +58,23 @@ class Told {
   bool isQuiet_;
 };
 
-tl::expected<TradeoffReport, std::string> measured(const LoadedLevel& loaded,
-                                                   const OptionValues& values) {
+/// The pictures of truth have no light of areas. So neither has what is held against them.
+bool leaveOutAreas(Level& level, OptionValues& values) {
+  const bool haveBounced = level.bake.bounces > 0 || values.number(Option::Bounces).value_or(0) > 0;
+  level.bake.bounces = 0;
+  values.unset(Option::Bounces);
+  return std::erase_if(level.lights, [](const LightSource& light) { return light.isArea(); }) > 0 ||
+         haveBounced;
+}
+
+tl::expected<TradeoffReport, std::string> measured(LoadedLevel loaded, OptionValues values) {
   if (loaded.level.shots.empty())
     return tl::unexpected(fmt::format(
         "{}: what errors are seen is measured in the level's shots: give it some", values.level));
+  if (leaveOutAreas(loaded.level, values))
+    fmt::print(stderr,
+               "{}: light of the sky, of surfaces that shine, and that bounces is not measured\n",
+               values.level);
   auto trials = trialsFor(loaded.scene(), values);
   if (!trials) return tl::unexpected(trials.error());
 
@@ -119,9 +134,9 @@ ExitStatus runTradeoff(const OptionValues& values) {
     return fail(
         fmt::format("LEVEL is required, or --list; see `{} tradeoff --help`", values.program));
   if (values.has(Option::Movers)) return tradeMovers(values);
-  const std::optional<LoadedLevel> loaded = loadAndReport(values);
+  std::optional<LoadedLevel> loaded = loadAndReport(values);
   if (!loaded) return ExitStatus::BadInput;
-  const auto report = measured(*loaded, values);
+  const auto report = measured(*std::move(loaded), values);
   if (!report) return fail(report.error());
   fmt::print("{}", values.has(Option::Csv) ? csvOf(*report) : tableOf(*report));
   const std::optional<std::string> page = values.text(Option::Report);
