@@ -1,20 +1,16 @@
 // The slopes in which slices find the sky, against single rays.
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <filesystem>
+#include <cmath>
 #include <vector>
 
 #include "light/gather/slice.h"
 #include "light/rays/raytracer.h"
-#include "light/sampling/sample_placement.h"
-#include "load/load.h"
 #include "math/tolerance.h"
 #include "math/trig.h"
-#include "random_levels/random_level.h"
+#include "random_places.h"
 
 namespace hearth {
 namespace {
@@ -34,27 +30,26 @@ bool isAtAnEnd(double slope, const std::vector<AreaInSlice>& skies) {
 }
 
 /// Masked textures are solid: of these slices ask only some points.
-void compareAt(const Scene& scene, const SamplePoint& at, Vec3 normal, Asked& asked) {
+void compareAt(const test::RandomPlace& at, Asked& asked) {
   constexpr bool kSolidMiddles = true;
-  Slice slice(scene, kSolidMiddles);
-  const Raytracer rays(scene, kSolidMiddles);
-  const SectorId sector = scene[at.surface].sector;
+  Slice slice(at.scene, kSolidMiddles);
+  const Raytracer rays(at.scene, kSolidMiddles);
   for (double angle = 3.7; angle < 360; angle += 17) {
     const std::vector<AreaInSlice> skies =
-        slice.areas({at.target, sector, kArrival}, directionAt(angle, 0).xy(),
+        slice.areas({at.point, at.sector, kArrival}, directionAt(angle, 0).xy(),
                     {-kStraightUp, kStraightUp}, nullptr);
     for (double pitch = -85; pitch < 90; pitch += 3.5) {
       const Vec3 direction = directionAt(angle, pitch);
       const double slope = tanDegrees(pitch);
-      if (dot(direction, normal) < 1e-3 || isAtAnEnd(slope, skies)) continue;
+      if (dot(direction, at.normal) < 1e-3 || isAtAnEnd(slope, skies)) continue;
       const bool isInRange = std::ranges::any_of(skies, [&](const AreaInSlice& sky) {
         return sky.slopes.from < slope && slope < sky.slopes.to;
       });
-      const bool sees = rays.seesSky({at.target, sector}, direction);
+      const bool sees = rays.seesSky({at.point, at.sector}, direction);
       ++asked.rays;
       asked.seeSky += sees ? 1 : 0;
-      EXPECT_EQ(isInRange, sees) << scene.level().name << ": from " << at.target.x << ' '
-                                 << at.target.y << ' ' << at.target.z << " angle " << angle
+      EXPECT_EQ(isInRange, sees) << at.scene.level().name << ": from " << at.point.x << ' '
+                                 << at.point.y << ' ' << at.point.z << " angle " << angle
                                  << " pitch " << pitch;
     }
   }
@@ -67,29 +62,9 @@ void giveTheSkyAlone(Level& level) {
 }
 
 TEST(Slice, findsTheSkyWhereRaysDo) {
-  const auto folder =
-      std::filesystem::temp_directory_path() / fmt::format("hearth-slices-{}", ::getpid());
-  ASSERT_TRUE(writeRandomLevelTextures(folder / "textures"));
   Asked asked;
-  for (std::uint64_t seed = 1; seed <= 60 && !HasFailure(); ++seed) {
-    const RandomLevel random = makeRandomLevel(seed);
-    ASSERT_TRUE(writeRandomLevel(folder, random));
-    LoadResult result = loadLevel(folder / (random.name + ".json"));
-    ASSERT_TRUE(result.loaded) << seed;
-    giveTheSkyAlone(result.loaded->level);
-    const Scene scene = result.loaded->scene();
-    const LitSurfaces surfaces = makeLitSurfaces(scene, 0.25);
-    for (const SurfaceId id : scene.shownSurfaces()) {
-      const std::optional<LitSurface>& lit = surfaces[id.index()];
-      if (!lit) continue;
-      const TexelRect rect = lit->texels;
-      const SamplePoint at =
-          SamplePlacement(surfaces, id)
-              .place({rect.i0 + rect.width / 2 + 0.5, rect.j0 + rect.height / 3 + 0.5});
-      compareAt(scene, at, surfaces[at.surface.index()]->normal, asked);
-    }
-  }
-  std::filesystem::remove_all(folder);
+  test::forEachRandomPlace(giveTheSkyAlone,
+                           [&](const test::RandomPlace& at) { compareAt(at, asked); });
   EXPECT_GT(asked.rays, 1'000'000);
   EXPECT_GT(asked.seeSky, asked.rays / 20);
 }
