@@ -58,10 +58,10 @@ std::optional<CompassInterval> directionsTo(const Box3& box, Vec3 point, double 
 
 }  // namespace
 
-SmallAreas::SmallAreas(const Scene& scene, const AreaLights& lights)
-    : sky_(lights.sky()), view_(scene) {
+SmallAreas::SmallAreas(const Scene& scene, const AreaLights& lights) : sky_(lights.sky()) {
   std::vector<Shining> shining;
   if (lights.haveEmitters()) addShining(scene, lights, shining);
+  if (sky_ || !shining.empty()) view_.emplace(scene);
   shining_ = std::make_shared<const std::vector<Shining>>(std::move(shining));
 }
 
@@ -130,16 +130,16 @@ void SmallAreas::findAround(const SliceStart& from, double widest, std::span<con
       candidates_.push_back({&shining, *directions});
   }
   if (candidates_.empty() && !sky_) return;
-  view_.lookFrom(from.point.xy(), from.sector, narrowestFor(least), met);
+  view_->lookFrom(from.point.xy(), from.sector, narrowestFor(least), met);
   for (const auto& [shining, directions] : candidates_) {
     const Box onMap{shining->box.min.xy(), shining->box.max.xy()};
     if (std::ranges::any_of(shining->sectors,
-                            [&](SectorId its) { return view_.maySee(its, onMap); }))
+                            [&](SectorId its) { return view_->maySee(its, onMap); }))
       found.push_back(directions);
   }
   if (!sky_) return;
   // Skies are wide, but may be seen through what is narrow.
-  for (const Wedge& window : view_.windows()) {
+  for (const Wedge& window : view_->windows()) {
     const double width = degreesIn(window);
     if (width < widest) found.push_back({wrappedDegrees(compassDegrees(window.right)), width});
   }

@@ -60,7 +60,7 @@ class SmallAreas {
 
   std::shared_ptr<const std::vector<Shining>> shining_;  ///< copies share it
   std::optional<AreaLights::Place> sky_;
-  PlanView view_;
+  std::optional<PlanView> view_;  ///< none if nothing shines and no sky does
   std::vector<Candidate> candidates_;
 };
 
