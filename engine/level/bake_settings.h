@@ -17,8 +17,8 @@ struct BakeSettings {
   bool lambert = false;  ///< multiply by the cosine at the surface
   int bounces = 0;
   double reflectance = 1;  ///< 0..1, of all textures, by which their own is multiplied
-  /// Levels, more than 0: how far interpolated light of the sky, of surfaces that shine and half of
-  /// what bounces may be off.
+  /// Levels, more than 0: how far off interpolated light of the sky and of surfaces that shine may
+  /// be. Light that bounces may be twice as far off.
   double gatherError = 1;
   /// No light passes through the holes of masked middle textures, and no texel is asked for one.
   bool solidMaskedMiddles = false;

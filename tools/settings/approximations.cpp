@@ -27,10 +27,11 @@ constexpr std::array kApproximations = {
     Approximation{Option::CutOff, Of::Bake, "1|4|16",
                   "as many levels as it says, of each light that is left out",
                   "engine/level/light_source.h"},
-    Approximation{Option::GatherError, Of::Bake, "0.25|0.5|1|2|4|8",
-                  "between places where light of sky, shining surfaces and bounces is gathered, as "
-                  "many levels as it says, of light that bounces twice as many",
-                  "engine/light/gather/light_lattice.h"},
+    Approximation{
+        Option::GatherError, Of::Bake, "0.25|0.5|1|2|4|8",
+        "between the places where light of the sky and of shining surfaces is gathered, as "
+        "many levels as it says; of light that bounces, twice as many",
+        "engine/light/gather/light_lattice.h"},
     Approximation{Option::MiddleShadows, Of::Bake, "holes|solid",
                   "solid: all the light that comes through holes of middle textures",
                   "engine/light/rays/raytracer.cpp"},

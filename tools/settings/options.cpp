@@ -138,8 +138,8 @@ constexpr std::array kTable = {
     OptionRow{Option::CutOff, "--cut-off", ValueKind::Number, "LEVELS", 0, 255, "0: nothing",
               "leave a light out from where on it has no more than so many levels"},
     OptionRow{Option::GatherError, "--gather-error", ValueKind::Number, "LEVELS", 0.0625, 64, "1",
-              "how far light of sky, of surfaces that shine, and half of what bounces may be off "
-              "where it is interpolated"},
+              "how far off interpolated light of the sky and of surfaces that shine may be; light "
+              "that bounces may be twice as far off"},
     OptionRow{Option::MiddleShadows, "--middle-shadows", ValueKind::Choice, "holes|solid", 0, 0,
               "holes", "of what hangs in openings: with its holes, or as if it had none"},
     OptionRow{Option::Bounces, "--bounces", ValueKind::Integer, "COUNT", 0, 16, "0",

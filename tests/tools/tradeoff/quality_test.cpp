@@ -89,8 +89,8 @@ TEST(MeasuredSettings, ofBakesAreOffByAsMuchAsTheySay) {
     OptionValues values;
     values.set(of.setting, std::string(of.value));
     const auto bake = bakeSettingsFor(level.scene(), values).value();
-    // What takes long is left out. Neither does a masked middle texture hang in this level, nor is
-    // light gathered.
+    // What takes long is left out. This level has neither masked middle textures nor light of
+    // areas.
     if (bake == level.level.bake || of.cost > 4 || of.setting == Option::MiddleShadows ||
         of.setting == Option::GatherError)
       continue;
