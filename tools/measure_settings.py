@@ -4,8 +4,9 @@
 usage: tools/measure_settings.py [OPTION OF `hearth tradeoff`...]
 
 Costs are geometric means, errors arithmetic ones, of the tutorial and the castle; of shadows of
-middle textures, which these do not have, those of the gaol; of stages of movers those of the castle. Bakes take one thread, so that costs are
-of work, and not of how threads share it.
+middle textures, which these do not have, those of the gaol; of stages of movers those of the castle; of gather errors
+those of the tutorial with three bounces. Bakes take one thread, so that costs are of work, and not of how threads share
+it.
 """
 
 import csv
@@ -19,8 +20,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 HEARTH = ROOT / "build/release/hearth"
 LEVELS = ["tutorial", "keep"]
-LEVELS_OF = {"--middle-shadows": ["gaol"], "--mover-stages": ["keep"]}
-NOT_TRIED = {"--gather-error"}  # of light that truth does not draw: see tests/MEASUREMENTS.md
+LEVELS_OF = {"--middle-shadows": ["gaol"], "--mover-stages": ["keep"], "--gather-error": ["tutorial"]}
 SAME = {"--texel 0.0625": "--quality high"}  # and named so
 
 
@@ -60,8 +60,6 @@ def printed(name, value, measured):
 
 def table(listed, rows):
     for name, default, is_bake in settings_of(listed):
-        if name in NOT_TRIED:
-            continue
         levels = [rows[level] for level in LEVELS_OF.get(name, LEVELS)]
         for value in values_of(name, default, levels):
             yield printed(name, value, [figures(level.get(f"{name} {value}", level[""]), is_bake) for level in levels])
@@ -73,6 +71,9 @@ def main():
             for level in levels}
     for level in LEVELS_OF["--mover-stages"]:
         rows[level] |= rows_of(tradeoff(ROOT / f"levels/{level}.json", "--csv", "--threads", "1", "--movers"))
+    for level in LEVELS_OF["--gather-error"]:
+        rows[level] |= rows_of(tradeoff(ROOT / f"levels/{level}.json", "--csv", "--threads", "1", "--areas",
+                                        "--bounces", "3"))
     print("\n".join(table(tradeoff("--list"), rows)))
 
 

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <variant>
@@ -16,6 +15,7 @@
 #include "light/sectors_of_meshes.h"
 #include "math/check.h"
 #include "math/parallel.h"
+#include "measure/light_places.h"
 #include "random_levels/random.h"
 #include "random_levels/random_level.h"
 #include "truth/truth_gather.h"
@@ -83,6 +83,7 @@ class Comparison {
         direct_(level_),
         gather_(level_, direct_),
         sectors_(sectorsOfMeshes(level_)),
+        places_(scene_, baked_),
         random_(level_.surfaces.size()) {
     tally_.levels = 1;
     for (const LightCost& cost : baked_.lightCosts) {
@@ -101,26 +102,12 @@ class Comparison {
   }
 
   /// Texels of surfaces and patches, each as likely as any other.
-  AreaTally compareTexels(int count, int threads) {
-    std::vector<std::int64_t> ends;  // of surfaces and patches, counted in texels
-    std::vector<std::function<void()>> compare;
-    const auto addTexels = [&](std::int64_t texels, std::function<void()> one) {
-      ends.push_back((ends.empty() ? 0 : ends.back()) + texels);
-      compare.push_back(std::move(one));
+  AreaTally compareTexels(std::size_t count, int threads) {
+    const auto isKnown = [this](const LightPlace& place) {
+      const std::optional<Lightmap>& map = baked_.lightmaps[place.map.index()];
+      return !isBounced() || !map || map->at(place.i, place.j) < 255;
     };
-    for (std::size_t i = 0; i < level_.surfaces.size(); ++i)
-      if (const auto& lit = baked_.surfaces[i])
-        addTexels(lit->texels.count(), [this, i] { compareTexel(SurfaceId(i)); });
-    for (std::uint32_t i = 0; i < level_.meshes.size(); ++i)
-      for (const LitMesh::Patch& patch : baked_.meshes[i].patches)
-        addTexels(patch.surface.texels.count(), [this, i, &patch] { compareTexel(i, patch); });
-    if (ends.empty()) return tally_;
-    // Some texels hold no place that can be compared.
-    constexpr int kDrawsOfPlace = 100;
-    for (int k = 0; k < kDrawsOfPlace * count && std::ssize(questions_) < count; ++k) {
-      const std::int64_t texel = random_.between(0, ends.back() - 1);
-      compare[static_cast<std::size_t>(std::ranges::upper_bound(ends, texel) - ends.begin())]();
-    }
+    for (const LightPlace& place : places_.some(count, isKnown)) addTexel(place);
     return answer(threads, kEffortOfTexel);
   }
 
@@ -166,22 +153,27 @@ class Comparison {
   }
 
   void compareTexel(SurfaceId id) {
-    const SurfacePlaces places(scene_, baked_.surfaces, id);
-    const LitSurface& lit = *baked_.surfaces[id.index()];
-    const int i = lit.texels.i0 + static_cast<int>(random_.between(0, lit.texels.width - 1));
-    const int j = lit.texels.j0 + static_cast<int>(random_.between(0, lit.texels.height - 1));
-    const SamplePoint at = places.place({i + 0.5, j + 0.5});
-    if (at.isMoved || places.isLeftOut(at) || !lit.outline.contains({i + 0.5, j + 0.5})) return;
-    const Surface& there = level_[at.surface];
-    const SurfacePoint place{there.kind, there.sector, there.segment, at.target,
-                             baked_.surfaces[at.surface.index()]->normal};
+    const TexelRect& texels = baked_.surfaces[id.index()]->texels;
+    const int i = texels.i0 + static_cast<int>(random_.between(0, texels.width - 1));
+    const int j = texels.j0 + static_cast<int>(random_.between(0, texels.height - 1));
+    if (const auto place = places_.onSurface(id, i, j)) addTexel(*place);
+  }
+
+  void addTexel(const LightPlace& place) {
+    addPlace(place.map, place.point, [&](const Lightmap& map) { return map.at(place.i, place.j); });
+  }
+
+  /// `lightOf` takes its light from its lightmap.
+  template <typename LightOf>
+  void addPlace(SurfaceId id, const SurfacePoint& place, LightOf&& lightOf) {
+    const SurfaceKind kind = level_[id].kind;
     add(
-        level_[id].kind,
-        [&](const BakedLight& baked) {
+        kind,
+        [&](const BakedLight& baked) -> double {
           const std::optional<Lightmap>& map = baked.lightmaps[id.index()];
-          return map ? map->at(i, j) : 0;
+          return map ? lightOf(*map) : 0;
         },
-        place, placeOf(level_[id].kind, there.sector, at.point));
+        place, placeOf(kind, place.sector, place.point));
   }
 
   void compareMesh(std::uint32_t index) {
@@ -191,21 +183,10 @@ class Comparison {
       compareSmallFace(index, lit.smallFaces[random_.below(lit.smallFaces.size())].face);
   }
 
-  /// Of a patch: one that has a point of some face.
   void compareTexel(std::uint32_t index, const LitMesh::Patch& patch) {
     const Mesh& mesh = level_.meshes[index];
     const std::uint32_t face = mesh.firstFace + patch.faces[random_.below(patch.faces.size())];
-    const auto& [a, b, c] = level_.meshFaces[face].corners;
-    const Vec2 texel = patch.surface.grid.toTexels((1 / 3.0) * (a + b + c));
-    const int i = static_cast<int>(std::floor(texel.x));
-    const int j = static_cast<int>(std::floor(texel.y));
-    const LitSurfaces alone{patch.surface};
-    const SamplePoint at = PatchPlaces(scene_, sectors_[index], alone).place({i + 0.5, j + 0.5});
-    if (at.isMoved) return;
-    const TexelRect& rect = patch.surface.texels;
-    compareFace(index, face, at.point, [&](const Lightmap& map) {
-      return map.at(patch.i + i - rect.i0, patch.j + j - rect.j0);
-    });
+    if (const auto place = places_.onPatch(index, patch, face)) addTexel(*place);
   }
 
   /// In its middle, if light is found at all of its corners.
@@ -217,26 +198,8 @@ class Comparison {
     const auto& [a, b, c] = its.corners;
     const Vec3 middle = (1 / 3.0) * (a + b + c);
     const Vec2 at = placeOn(baked_.meshes[index], face, its, middle);
-    compareFace(index, mesh.firstFace + face, middle,
-                [&](const Lightmap& map) { return map.sample(at.x, at.y); });
-  }
-
-  template <typename LightOf>
-  void compareFace(std::uint32_t index, std::uint32_t face, Vec3 p, LightOf&& lightOf) {
-    if (!isInAir(scene_, sectors_[index], p)) return;
-    const Mesh& mesh = level_.meshes[index];
-    const Vec3 front = frontOf(level_.meshFaces[face]);
-    SurfacePoint place{SurfaceKind::Mesh, mesh.sector, std::nullopt, p,
-                       (1 / length(front)) * front};
-    place.mesh = mesh.surface;
-    place.face = face;
-    add(
-        SurfaceKind::Mesh,
-        [&](const BakedLight& baked) -> double {
-          const std::optional<Lightmap>& map = baked.lightmaps[mesh.surface.index()];
-          return map ? lightOf(*map) : 0;
-        },
-        place, placeOf(SurfaceKind::Mesh, mesh.sector, p));
+    if (const auto place = places_.onFace(index, mesh.firstFace + face, middle))
+      addPlace(mesh.surface, *place, [&](const Lightmap& map) { return map.sample(at.x, at.y); });
   }
 
   void compareSprite(const Sprite& sprite) {
@@ -267,6 +230,7 @@ class Comparison {
   TruthLight direct_;
   TruthGather gather_;
   std::vector<std::vector<SectorId>> sectors_;  ///< by mesh
+  LightPlaces places_;
   random_levels::Random random_;
   std::vector<Question> questions_;
   AreaTally tally_;
@@ -283,7 +247,7 @@ bool hasSky(const Level& level) {
 AreaTally compareTexels(LoadedLevel loaded, Areas areas, std::string_view name, int count,
                         int threads) {
   return Comparison(withAreasOnly(std::move(loaded.level), areas), loaded.geometry, name, threads)
-      .compareTexels(count, threads);
+      .compareTexels(static_cast<std::size_t>(count), threads);
 }
 
 AreaTally compareRandomLevel(std::uint64_t seed, Areas areas, const std::filesystem::path& folder,

@@ -5,6 +5,7 @@
 
 #include "cli/command.h"
 #include "inputs/inputs.h"
+#include "measure/tradeoff/area_trials.h"
 #include "measure/tradeoff/mover_trials.h"
 #include "measure/tradeoff/page.h"
 #include "measure/tradeoff/report.h"
@@ -58,22 +59,18 @@ class Told {
   bool isQuiet_;
 };
 
-/// The pictures of truth have no light of areas. So neither has what is held against them.
-bool leaveOutAreas(Level& level, OptionValues& values) {
-  const bool haveBounced = level.bake.bounces > 0 || values.number(Option::Bounces).value_or(0) > 0;
-  level.bake.bounces = 0;
-  values.unset(Option::Bounces);
-  return std::erase_if(level.lights, [](const LightSource& light) { return light.isArea(); }) > 0 ||
-         haveBounced;
-}
-
 tl::expected<TradeoffReport, std::string> measured(LoadedLevel loaded, OptionValues values) {
   if (loaded.level.shots.empty())
     return tl::unexpected(fmt::format(
         "{}: what errors are seen is measured in the level's shots: give it some", values.level));
-  if (leaveOutAreas(loaded.level, values))
+  // The pictures of truth have no light of areas. So neither has what is held against them.
+  loaded.level.bake.bounces =
+      static_cast<int>(values.number(Option::Bounces).value_or(loaded.level.bake.bounces));
+  values.unset(Option::Bounces);
+  if (takeOutAreas(loaded.level))
     fmt::print(stderr,
-               "{}: light of the sky, of surfaces that shine, and that bounces is not measured\n",
+               "{}: light of the sky, of surfaces that shine, and that bounces is not measured: "
+               "--areas does\n",
                values.level);
   auto trials = trialsFor(loaded.scene(), values);
   if (!trials) return tl::unexpected(trials.error());
@@ -97,13 +94,53 @@ tl::expected<TradeoffReport, std::string> measured(LoadedLevel loaded, OptionVal
   return reportOf(std::move(report));
 }
 
+template <typename Report>
+ExitStatus writePageIfAsked(const OptionValues& values, const Report& report) {
+  const std::optional<std::string> page = values.text(Option::Report);
+  if (!page) return ExitStatus::Done;
+  const auto written = writeTradeoffPage(*page, report);
+  return written ? ExitStatus::Done : fail(written.error());
+}
+
+std::vector<double> triedValues(Option setting) {
+  const auto found = std::ranges::find(approximations(), setting, &Approximation::setting);
+  std::vector<double> values;
+  for (const std::string_view value : triedOf(*found))
+    values.push_back(parseNumbers(value)->front());
+  return values;
+}
+
 std::vector<int> triedStages() {
-  const auto stages =
-      std::ranges::find(approximations(), Option::MoverStages, &Approximation::setting);
   std::vector<int> counts;
-  for (const std::string_view value : triedOf(*stages))
-    counts.push_back(static_cast<int>(parseNumbers(value)->front()));
+  for (const double value : triedValues(Option::MoverStages))
+    counts.push_back(static_cast<int>(value));
   return counts;
+}
+
+ExitStatus tradeAreas(const OptionValues& values) {
+  const std::optional<LoadedLevel> loaded = loadAndReport(values);
+  if (!loaded) return ExitStatus::BadInput;
+  const auto settings = bakeSettingsFor(loaded->scene(), values);
+  if (!settings) return fail(settings.error());
+  if (settings->bounces == 0 && std::ranges::none_of(loaded->level.lights, &LightSource::isArea))
+    return fail(fmt::format(
+        "{}: --areas: the level has no sky light and no emitters, and no light bounces; --bounces "
+        "1 lets it",
+        values.level));
+  AreaTrialSetup setup;
+  setup.threads = threadsFrom(values);
+  setup.clock = steadySeconds;
+  if (const auto repeats = values.number(Option::Repeats))
+    setup.repeats = static_cast<int>(*repeats);
+  const bool isQuiet = values.has(Option::Quiet);
+  setup.onProgress = [isQuiet](std::string_view what) {
+    if (!isQuiet) fmt::print(stderr, "{}\n", what);
+  };
+  const AreaReport report{
+      values.level, thisMachine(), setup.threads, settings->bounces,
+      measureAreas(*loaded, *settings, triedValues(Option::GatherError), setup)};
+  fmt::print("{}", values.has(Option::Csv) ? csvOf(report.trials) : tableOf(report.trials));
+  return writePageIfAsked(values, report);
 }
 
 ExitStatus tradeMovers(const OptionValues& values) {
@@ -134,29 +171,28 @@ ExitStatus runTradeoff(const OptionValues& values) {
     return fail(
         fmt::format("LEVEL is required, or --list; see `{} tradeoff --help`", values.program));
   if (values.has(Option::Movers)) return tradeMovers(values);
+  if (values.has(Option::Areas)) return tradeAreas(values);
   std::optional<LoadedLevel> loaded = loadAndReport(values);
   if (!loaded) return ExitStatus::BadInput;
   const auto report = measured(*std::move(loaded), values);
   if (!report) return fail(report.error());
   fmt::print("{}", values.has(Option::Csv) ? csvOf(*report) : tableOf(*report));
-  const std::optional<std::string> page = values.text(Option::Report);
-  if (!page) return ExitStatus::Done;
-  const auto written = writeTradeoffPage(*page, *report);
-  return written ? ExitStatus::Done : fail(written.error());
+  return writePageIfAsked(values, *report);
 }
 
 }  // namespace
 
 Command tradeoffCommand() {
-  return {.name = "tradeoff",
-          .help = "measures what settings cost on a level, and how far off they are",
-          .options = std::vector<Option>{Option::List, Option::Csv, Option::Movers, Option::Report,
-                                         Option::Size, Option::Repeats, Option::Quiet} +
-                     drawOptions() + bakeOptions(),
-          .required = {},
-          .run = runTradeoff,
-          .levels = LevelFiles::OneOrNone,
-          .more = std::string(kMore)};
+  return {
+      .name = "tradeoff",
+      .help = "measures what settings cost on a level, and how far off they are",
+      .options = std::vector<Option>{Option::List, Option::Csv, Option::Movers, Option::Areas,
+                                     Option::Report, Option::Size, Option::Repeats, Option::Quiet} +
+                 drawOptions() + bakeOptions(),
+      .required = {},
+      .run = runTradeoff,
+      .levels = LevelFiles::OneOrNone,
+      .more = std::string(kMore)};
 }
 
 }  // namespace hearth

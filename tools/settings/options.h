@@ -54,6 +54,7 @@ enum class Option {
   List,
   Csv,
   Movers,
+  Areas,
   Doors,
   Ambient,
   AreaLights,

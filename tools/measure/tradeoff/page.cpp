@@ -4,8 +4,10 @@
 
 #include <ostream>
 #include <string_view>
+#include <vector>
 
 #include "files/replace_file.h"
+#include "measure/tradeoff/pareto_front.h"
 #include "measure/tradeoff/plot.h"
 #include "text/html.h"
 
@@ -101,14 +103,64 @@ std::string pageOf(const TradeoffReport& report) {
   return html.append(kPageEnd);
 }
 
-}  // namespace
+constexpr std::string_view kAreaColumns =
+    "<table>\n<tr><th>settings</th><th>bake, x</th><th>s</th><th>slices</th><th>places</th>"
+    "<th>RMS</th><th>max</th><th>over 4, %</th></tr>\n";
 
-tl::expected<void, std::string> writeTradeoffPage(const std::filesystem::path& path,
-                                                  const TradeoffReport& report) {
+std::string row(const AreaTrial& of) {
+  return fmt::format(
+      "<tr><td>{}</td><td>{:.2f}</td><td>{:.3f}</td><td>{}</td><td>{}</td><td>{:.2f}</td>"
+      "<td>{:.1f}</td><td>{:.2f}</td></tr>\n",
+      nameOf(of), of.cost, of.seconds, of.slices, of.places, of.rms, of.most, 100 * farShareOf(of));
+}
+
+std::string areaPlot(const std::vector<AreaTrial>& trials) {
+  std::vector<CostAndError> all;
+  for (const AreaTrial& of : trials) all.push_back({of.seconds, of.rms});
+  const std::vector<bool> front = onParetoFront(all);
+  std::vector<PlotPoint> points;
+  for (std::size_t i = 0; i < trials.size(); ++i)
+    points.push_back({all[i].cost, all[i].error, front[i], nameOf(trials[i])});
+  return plotOf(points, "seconds to bake", "RMS error of light of areas, levels");
+}
+
+std::string pageOf(const AreaReport& report) {
+  std::string html = pageBegin("hearth tradeoff --areas", kStyle);
+  html += fmt::format("<h1>What light of areas costs, and how far off it is: {}</h1>\n",
+                      escaped(report.level));
+  html += fmt::format(
+      "<p>{}, {} thread(s), {}. Bakes on {} thread(s), all light included, with {} bounce(s); x: "
+      "times what the level's own settings take, measured in turn with them. The light of the "
+      "sky, of surfaces that shine, and that bounces is held against truth at the same texels.</p>"
+      "\n<div class=\"plots\">\n",
+      escaped(report.machine.processor), report.machine.threads, escaped(report.machine.compiler),
+      report.threads, report.bounces);
+  html += figure("On the line: nothing is both shorter and nearer.", areaPlot(report.trials));
+  html += "</div>\n<div class=\"table\">\n";
+  html += kAreaColumns;
+  for (const AreaTrial& of : report.trials) html += row(of);
+  html += "</table>\n</div>\n";
+  return html.append(kPageEnd);
+}
+
+template <typename Report>
+tl::expected<void, std::string> writePage(const std::filesystem::path& path, const Report& report) {
   return replaceFile(path, [&](std::ostream& out) {
     out << pageOf(report);
     return out.good();
   });
+}
+
+}  // namespace
+
+tl::expected<void, std::string> writeTradeoffPage(const std::filesystem::path& path,
+                                                  const TradeoffReport& report) {
+  return writePage(path, report);
+}
+
+tl::expected<void, std::string> writeTradeoffPage(const std::filesystem::path& path,
+                                                  const AreaReport& report) {
+  return writePage(path, report);
 }
 
 }  // namespace hearth

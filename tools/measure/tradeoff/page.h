@@ -4,6 +4,7 @@
 #include <string>
 #include <tl/expected.hpp>
 
+#include "measure/tradeoff/area_trials.h"
 #include "measure/tradeoff/report.h"
 
 namespace hearth {
@@ -12,5 +13,9 @@ namespace hearth {
 /// with the fronts marked, and the table.
 tl::expected<void, std::string> writeTradeoffPage(const std::filesystem::path& path,
                                                   const TradeoffReport& report);
+
+/// The same of light of areas: one plot, of seconds to bake against the error of that light.
+tl::expected<void, std::string> writeTradeoffPage(const std::filesystem::path& path,
+                                                  const AreaReport& report);
 
 }  // namespace hearth

@@ -68,7 +68,7 @@ std::vector<Choices> allChoices() {
   std::vector<Choices> all{{}};
   for (const Quality& quality : qualities()) all.push_back({{Option::Quality, quality.name}});
   for (const Approximation& approximation : approximations()) {
-    // The pictures of truth have no light of areas.
+    // The pictures of truth have no light of areas: see area_trials.h.
     if (approximation.setting == Option::GatherError) continue;
     for (const std::string_view value : triedOf(approximation))
       all.push_back({{approximation.setting, value}});
