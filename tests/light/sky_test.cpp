@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -217,77 +218,59 @@ TEST(Sky, HasNoSeamWhereAFloorIsCut) {
 
 TEST(LightLattice, InterpolatesWhatIsEvenAndDividesWhereItIsNot) {
   int asked = 0;
-  const auto step = [&](Vec2 p, std::span<double> values) {
+  const auto step = [&](int i, int, std::span<double> values) {
     ++asked;
-    values[0] = 3 + 0.01 * p.x;
-    values[1] = p.x < 40 ? 0 : 1;
+    values[0] = 3 + 0.01 * (i + 0.5);
+    values[1] = i < 40 ? 0 : 1;
     return true;
   };
   const TexelRect texels{-7, 3, 100, 50};
-  LightLattice lattice(texels, {16, 0, LightLattice::Parts::DownToOne}, {0.1, 0.1}, step);
+  LightLattice lattice(texels, {16, 0, true}, {0.1, 0.1}, step);
   for (double y = 3; y <= 53; y += 3.7)
-    for (double x = -7; x <= 93; x += 1.3) {
+    for (double x = -6.5; x <= 92.5; x += 1.3) {
       EXPECT_NEAR(lattice.at({x, y}, 0), 3 + 0.01 * x, 1e-12);
-      if (x < 39 || x > 41) {
+      if (x < 39.5 || x > 40.5) {
         EXPECT_EQ(lattice.at({x, y}, 1), x < 40 ? 0 : 1) << x;
       }
     }
-  EXPECT_LT(asked, 101 * 51 / 4);
-  EXPECT_NEAR(lattice.at({-100, 20}, 0), lattice.at({-7, 20}, 0), 0) << "the nearest";
+  EXPECT_LT(asked, 100 * 50 / 4);
+  EXPECT_NEAR(lattice.at({-100, 20}, 0), lattice.at({-6.5, 20}, 0), 0) << "the nearest";
 }
 
-/// Down to cells of two texels, as many points are asked for as there are texels at the step.
-TEST(LightLattice, AsksAtThePointsThemselvesWhereCellsOfTwoTexelsAreUneven) {
-  std::vector<Vec2> asked;
-  const auto step = [&](Vec2 p, std::span<double> values) {
-    asked.push_back(p);
-    values[0] = p.x < 8.5 ? 0 : 1;
+TEST(LightLattice, HasAllTexelsBesideAStepAndNoNodesBetweenTexels) {
+  std::vector<std::array<int, 2>> asked;
+  const auto isBeyond = [](int i, int j) { return 3 * i + j > 40; };
+  const auto step = [&](int i, int j, std::span<double> values) {
+    asked.push_back({i, j});
+    values[0] = isBeyond(i, j) ? 1 : 0;
     return true;
   };
-  LightLattice lattice({0, 0, 16, 16}, {16, 0, LightLattice::Parts::DownToTwo}, {0.1}, step);
-  for (int j = 0; j < 16; ++j)
-    for (int i = 0; i < 16; ++i) EXPECT_EQ(lattice.at({i + 0.5, j + 0.5}, 0), i < 8 ? 0 : 1) << i;
-  const auto isInTexel = [](Vec2 p) { return p.x != std::floor(p.x); };
-  EXPECT_EQ(std::ranges::count_if(asked, isInTexel), 2 * 16);
-  for (const Vec2 p : asked) {
-    if (isInTexel(p)) {
-      EXPECT_TRUE(p.x > 8 && p.x < 10) << p.x;
-    }
-  }
-}
-
-/// Whose corners differ by more than they may, its middle by less.
-TEST(LightLattice, InterpolatesBetweenCornersAndMiddleOfATexel) {
-  int asked = 0;
-  const auto bulge = [&](Vec2 p, std::span<double> values) {
-    ++asked;
-    values[0] = 0.25 * p.x + (p == Vec2{0.5, 0.5} ? 0.15 : 0);
-    return true;
-  };
-  LightLattice lattice({0, 0, 1, 1}, {16, 0, LightLattice::Parts::DownToOne}, {0.1}, bulge);
-  EXPECT_DOUBLE_EQ(lattice.at({0.5, 0.5}, 0), 0.275);
-  EXPECT_DOUBLE_EQ(lattice.at({0.25, 0.5}, 0), 0.0625 + 0.075);
-  EXPECT_DOUBLE_EQ(lattice.at({1, 0.75}, 0), 0.25);
-  EXPECT_EQ(asked, 5);
+  LightLattice lattice({5, -2, 16, 13}, {16, 0, true}, {0.1}, step);
+  for (int j = -2; j < 11; ++j)
+    for (int i = 5; i < 21; ++i)
+      EXPECT_EQ(lattice.at({i + 0.5, j + 0.5}, 0), isBeyond(i, j) ? 1 : 0) << i << ' ' << j;
+  EXPECT_LT(asked.size(), 16U * 13U);
+  std::ranges::sort(asked);
+  EXPECT_EQ(std::ranges::adjacent_find(asked), asked.end()) << "asked twice";
 }
 
 TEST(LightLattice, HasOneLineOfNodesAlongWhatIsNarrow) {
-  const auto ramp = [](Vec2 p, std::span<double> values) {
-    EXPECT_EQ(p.y, 9);
-    values[0] = p.x;
+  const auto ramp = [](int i, int j, std::span<double> values) {
+    EXPECT_EQ(j, 8);
+    values[0] = i + 0.5;
     return true;
   };
-  LightLattice lattice({3, 7, 60, 4}, {32, 4, LightLattice::Parts::DownToTwo}, {0.1}, ramp);
-  for (const double x : {3.0, 20.25, 62.5})
+  LightLattice lattice({3, 7, 60, 4}, {32, 4, true}, {0.1}, ramp);
+  for (const double x : {3.5, 20.25, 62.5})
     for (const double y : {7.0, 8.5, 11.0}) EXPECT_NEAR(lattice.at({x, y}, 0), x, 1e-12);
 }
 
 TEST(LightLattice, TakesNothingFromWhereThereIsNoLight) {
-  const auto hole = [&](Vec2 p, std::span<double> values) {
-    values[0] = p.x < 20 ? 1 : -1000;
-    return p.x < 20;
+  const auto hole = [&](int i, int, std::span<double> values) {
+    values[0] = i < 20 ? 1 : -1000;
+    return i < 20;
   };
-  LightLattice lattice({0, 0, 40, 8}, {16, 0, LightLattice::Parts::DownToOne}, {0.1}, hole);
+  LightLattice lattice({0, 0, 40, 8}, {16, 0, true}, {0.1}, hole);
   for (double x = 0; x < 20; x += 0.5) EXPECT_EQ(lattice.at({x, 4}, 0), 1) << x;
   EXPECT_EQ(lattice.at({30, 4}, 0), 0);
 }

@@ -5,28 +5,26 @@
 namespace hearth {
 
 AreaLattice::Fineness AreaLattice::finenessFor(LightVisibilities::Purpose purpose) {
-  using Parts = LightLattice::Parts;
   // Texels along the sides of cells: a metre of texels as large as they are by default.
   constexpr int kSide = 8;
   switch (purpose) {
     case LightVisibilities::Purpose::Bake:
-      return {{kSide, 0, Parts::DownToOne}, 1};
+      return {{kSide, 0, true}, 1, 3};
     case LightVisibilities::Purpose::Source:
-      return {{4 * kSide, kSide / 2, Parts::DownToTwo}, 4};
+      return {{4 * kSide, kSide / 2, true}, 4, 8};
     case LightVisibilities::Purpose::Draft:
-      return {{kSide, 0, Parts::None}, 1};
+      return {{kSide, 0, false}, 1, 3};
   }
   CHECK(false, static_cast<int>(purpose));
 }
 
-/// How far the fractions may be off: by what makes so many levels, or twice as many of light that
-/// bounces, which has more of them.
-std::vector<double> AreaLattice::tolerancesOf(const Scene& scene,
-                                              std::span<const std::size_t> lights, double levels) {
+/// How far the fractions may be off. Light that bounces has no hard edges that would show it.
+std::vector<double> AreaLattice::tolerances(const Scene& scene, double gatherError) const {
   std::vector<double> tolerances;
-  for (const std::size_t i : lights) {
+  for (const std::size_t i : areas_.lights()) {
     const LightSource& light = scene.lights()[i];
-    tolerances.push_back(fractionFor(light.isBounced ? 2 * levels : levels, light));
+    const double levels = light.isBounced ? fineness_.levelsOfBounced : fineness_.levels;
+    tolerances.push_back(fractionFor(gatherError * levels, light));
   }
   return tolerances;
 }

@@ -34,10 +34,9 @@ class AreaLattice {
         areas_(visibilities.areas()),
         fineness_(finenessFor(visibilities.purpose())),
         lattice_(
-            surface_.texels, fineness_.cells,
-            tolerancesOf(scene, areas_.lights(), fineness_.levels * visibilities.gatherError()),
-            [this, &places, find = std::move(findAt)](Vec2 p, std::span<double> fractions) {
-              const SamplePoint at = places.place(p);
+            surface_.texels, fineness_.cells, tolerances(scene, visibilities.gatherError()),
+            [this, &places, find = std::move(findAt)](int i, int j, std::span<double> fractions) {
+              const SamplePoint at = places.place({i + 0.5, j + 0.5});
               return !(places.mayLeaveOut() && places.isLeftOut(at)) &&
                      find(at, areas_, fractions, slices_, met_);
             }) {}
@@ -54,12 +53,13 @@ class AreaLattice {
   /// Of the lattice.
   struct Fineness {
     LightLattice::Cells cells;
-    double levels;  ///< by which interpolation may be off if the gather error is 1
+    // By which interpolation may be off if the gather error is 1.
+    double levels;
+    double levelsOfBounced;
   };
 
   static Fineness finenessFor(LightVisibilities::Purpose purpose);
-  static std::vector<double> tolerancesOf(const Scene& scene, std::span<const std::size_t> lights,
-                                          double levels);
+  std::vector<double> tolerances(const Scene& scene, double gatherError) const;
 
   const LitSurface& surface_;
   AreaVisibility areas_;

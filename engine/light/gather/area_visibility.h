@@ -24,7 +24,7 @@ inline double fractionFor(double levels, const LightSource& light) {
 struct GatherAccuracy {
   int firstSlices = 8;  ///< around a point: a power of 2, at most 64
   /// Steps between slices are halved while that changes more, ...
-  double change = 0.15;
+  double change = 0.1;
   /// ... or so much of light that bounces, of which many small changes make up for one another.
   double changeOfBounced = 1;
   double missed = 1;  ///< what is narrow may be missed between two slices if it gives less

@@ -13,7 +13,7 @@ int middle(int from, int to) { return from + (to - from) / 2; }
 /// Multiples of a cell's side between two ends, and the ends: none so near to an end that a cell
 /// would be narrow. A single line is both ends of cells without width.
 std::vector<int> linesBetween(int from, int to, const LightLattice::Cells& cells) {
-  if (to - from > 1 && to - from <= cells.narrow) return {middle(from, to), middle(from, to)};
+  if (to - from > 1 && to - from < cells.narrow) return {middle(from, to), middle(from, to)};
   std::vector<int> lines{from};
   const int first =
       static_cast<int>(std::floor(static_cast<double>(from) / cells.side)) * cells.side;
@@ -29,12 +29,6 @@ std::size_t placeIn(const std::vector<int>& lines, double x) {
   return static_cast<std::size_t>(after - lines.begin()) - 1;
 }
 
-/// Texels along the sides of a cell that is described by its corners if its middle says so.
-constexpr int kFew = 2;
-/// By how many tolerances the corners of a texel may differ, and its middle from them, before
-/// values are found at points themselves.
-constexpr double kUneven = 2;
-
 double fractionOf(double x, int from, int to) {
   return to > from ? std::clamp((x - from) / (to - from), 0.0, 1.0) : 0;
 }
@@ -49,18 +43,19 @@ LightLattice::LightLattice(const TexelRect& texels, const Cells& cells,
                            std::vector<double> tolerances, ValuesAt valuesAt)
     : texels_(texels),
       tolerances_(std::move(tolerances)),
-      parts_(cells.parts),
+      areDivided_(cells.areDivided),
       valuesAt_(std::move(valuesAt)),
-      columns_(linesBetween(texels.i0, texels.i0 + texels.width, cells)),
-      rows_(linesBetween(texels.j0, texels.j0 + texels.height, cells)) {
+      columns_(linesBetween(texels.i0, texels.i0 + texels.width - 1, cells)),
+      rows_(linesBetween(texels.j0, texels.j0 + texels.height - 1, cells)) {
   for (std::size_t row = 0; row + 1 < rows_.size(); ++row)
     for (std::size_t column = 0; column + 1 < columns_.size(); ++column)
       cells_.push_back({{columns_[column], rows_[row]}, {columns_[column + 1], rows_[row + 1]}});
 }
 
 double LightLattice::at(Vec2 p, std::size_t value) {
-  const double x = std::clamp<double>(p.x, texels_.i0, texels_.i0 + texels_.width);
-  const double y = std::clamp<double>(p.y, texels_.j0, texels_.j0 + texels_.height);
+  // In middles of texels.
+  const double x = std::clamp<double>(p.x - 0.5, texels_.i0, texels_.i0 + texels_.width - 1);
+  const double y = std::clamp<double>(p.y - 0.5, texels_.j0, texels_.j0 + texels_.height - 1);
   auto index =
       static_cast<std::uint32_t>(placeIn(rows_, y) * (columns_.size() - 1) + placeIn(columns_, x));
   while (true) {
@@ -68,27 +63,22 @@ double LightLattice::at(Vec2 p, std::size_t value) {
     const Cell& cell = cells_[index];
     const std::array<int, 2>& from = cell.from;
     const std::array<int, 2>& to = cell.to;
-    if (cell.isUneven) return found({x, y}, value);
-    if (cell.firstPart == 0) return interpolated(cell, {x, y}, value);
+    if (cell.firstPart == 0) return interpolated(cell.corners, fractionOf({x, y}, from, to), value);
     const int right = x >= middle(from[0], to[0]) && to[0] - from[0] > 1 ? 1 : 0;
     const int low = y >= middle(from[1], to[1]) && to[1] - from[1] > 1 ? 2 : 0;
     index = cell.firstPart + static_cast<std::uint32_t>(right + low);
   }
 }
 
-LightLattice::Node LightLattice::addNode(Vec2 p) {
-  const auto node = static_cast<Node>(isThere_.size());
-  const std::size_t count = tolerances_.size();
-  values_.resize(values_.size() + count);
-  isThere_.push_back(valuesAt_(p, std::span(values_).last(count)));
-  return node;
-}
-
 LightLattice::Node LightLattice::nodeAt(int i, int j) {
   const std::uint64_t key = std::uint64_t{static_cast<std::uint32_t>(i)} << 32 |
                             std::uint64_t{static_cast<std::uint32_t>(j)};
-  const auto [entry, isNew] = nodes_.try_emplace(key);
-  if (isNew) entry->second = addNode({1.0 * i, 1.0 * j});
+  const auto [entry, isNew] = nodes_.try_emplace(key, static_cast<Node>(isThere_.size()));
+  if (isNew) {
+    const std::size_t count = tolerances_.size();
+    values_.resize(values_.size() + count);
+    isThere_.push_back(valuesAt_(i, j, std::span(values_).last(count)));
+  }
   return entry->second;
 }
 
@@ -112,33 +102,21 @@ void LightLattice::decide(std::uint32_t index) {
   cells_[index].corners = corners;
   const std::array<int, 2> from = cell.from;
   const std::array<int, 2> to = cell.to;
-  if (parts_ == Parts::None) return;
   const int side = std::max(to[0] - from[0], to[1] - from[1]);
-  if (side <= 1) return decideTexel(cells_[index]);
+  if (!areDivided_ || side <= 1) return;
   const std::array<int, 3> columns{from[0], middle(from[0], to[0]), to[0]};
   const std::array<int, 3> rows{from[1], middle(from[1], to[1]), to[1]};
   const auto isDescribed = [&](int i, int j) {
     return describes(corners, fractionOf({1.0 * i, 1.0 * j}, from, to), nodeAt(i, j));
   };
-  if (!isDescribed(columns[1], rows[1])) {
-    if (side <= kFew && parts_ == Parts::DownToTwo)
-      cells_[index].isUneven = true;
-    else
-      divide(index, false);
-    return;
-  }
+  if (!isDescribed(columns[1], rows[1])) return divide(index, false);
   // In a cell of few texels no more is asked.
+  constexpr int kFew = 2;
   if (side <= kFew) return;
   bool areDescribed = true;
   for (const int j : rows)
     for (const int i : columns) areDescribed = areDescribed && isDescribed(i, j);
   divide(index, areDescribed);
-}
-
-void LightLattice::decideTexel(Cell& cell) {
-  if (areEven(cell.corners)) return;
-  cell.middle = addNode({(cell.from[0] + cell.to[0]) / 2.0, (cell.from[1] + cell.to[1]) / 2.0});
-  cell.isUneven = !describes(cell.corners, {0.5, 0.5}, *cell.middle, kUneven);
 }
 
 void LightLattice::divide(std::uint32_t index, bool areDecided) {
@@ -169,48 +147,15 @@ double LightLattice::toleranceAt(double value, std::size_t index) const {
 }
 
 /// Whether the corners have values, and a node between them those that are interpolated.
-bool LightLattice::describes(const std::array<Node, 4>& corners, Vec2 fraction, Node node,
-                             double tolerances) const {
+bool LightLattice::describes(const std::array<Node, 4>& corners, Vec2 fraction, Node node) const {
   if (!isThere(node) ||
       !std::ranges::all_of(corners, [this](Node corner) { return isThere(corner); }))
     return false;
   const std::span<const double> values = valuesOf(node);
   for (std::size_t i = 0; i < values.size(); ++i)
-    if (std::abs(interpolated(corners, fraction, i) - values[i]) >
-        tolerances * toleranceAt(values[i], i))
+    if (std::abs(interpolated(corners, fraction, i) - values[i]) > toleranceAt(values[i], i))
       return false;
   return true;
-}
-
-bool LightLattice::areEven(const std::array<Node, 4>& corners) const {
-  for (const Node corner : corners) {
-    if (!isThere(corner)) return false;
-    for (std::size_t i = 0; i < tolerances_.size(); ++i) {
-      const double value = valuesOf(corner)[i];
-      if (std::abs(value - valuesOf(corners[0])[i]) > kUneven * toleranceAt(value, i)) return false;
-    }
-  }
-  return true;
-}
-
-/// Of the point itself.
-double LightLattice::found(Vec2 p, std::size_t value) {
-  if (found_.empty() || p != foundAt_) {
-    found_.assign(tolerances_.size(), 0);
-    if (!valuesAt_(p, found_)) std::ranges::fill(found_, 0);
-    foundAt_ = p;
-  }
-  return found_[value];
-}
-
-/// Between the corners and, if it has one, the node in its middle: that of a pyramid over it.
-double LightLattice::interpolated(const Cell& cell, Vec2 p, std::size_t value) const {
-  const Vec2 fraction = fractionOf(p, cell.from, cell.to);
-  const double flat = interpolated(cell.corners, fraction, value);
-  if (!cell.middle) return flat;
-  const double height = 1 - 2 * std::max(std::abs(fraction.x - 0.5), std::abs(fraction.y - 0.5));
-  return flat +
-         height * (valuesOf(*cell.middle)[value] - interpolated(cell.corners, {0.5, 0.5}, value));
 }
 
 /// Corners without values do not count.
