@@ -36,6 +36,7 @@ tl::expected<EmbreeTracer, std::string> EmbreeTracer::of(std::span<const MeshTri
       functionOf<decltype(rtcSetNewGeometryBuffer)>(library, "rtcSetNewGeometryBuffer");
   tracer.occluded8_ = functionOf<decltype(rtcOccluded8)>(library, "rtcOccluded8");
   tracer.occluded1_ = functionOf<decltype(rtcOccluded1)>(library, "rtcOccluded1");
+  tracer.intersect8_ = functionOf<decltype(rtcIntersect8)>(library, "rtcIntersect8");
   tracer.device_ = {functionOf<decltype(rtcNewDevice)>(library, "rtcNewDevice")("threads=1"),
                     functionOf<decltype(rtcReleaseDevice)>(library, "rtcReleaseDevice")};
   RTCDevice device = tracer.device_.get();
@@ -67,6 +68,12 @@ void EmbreeTracer::trace(std::span<RayPacket> packets) const {
   rtcInitIntersectContext(&context);
   context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
   for (RayPacket& packet : packets) occluded8_(packet.valid, scene_.get(), &context, &packet.rays);
+}
+
+void EmbreeTracer::trace(std::span<HitPacket> packets) const {
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  for (HitPacket& packet : packets) intersect8_(packet.valid, scene_.get(), &context, &packet.rays);
 }
 
 void EmbreeTracer::trace(std::span<RTCRay> rays) const {

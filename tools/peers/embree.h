@@ -2,6 +2,7 @@
 
 #include <embree3/rtcore.h>
 
+#include <cstddef>
 #include <memory>
 #include <span>
 #include <string>
@@ -20,6 +21,17 @@ struct RayPacket {
   bool isFree(std::size_t i) const { return valid[i] != 0 && rays.tfar[i] >= 0; }
 };
 
+/// Eight rays of which each ends at what it first meets, in single precision.
+struct HitPacket {
+  RTCRayHit8 rays;
+  alignas(32) int valid[8];  ///< -1 of those that count
+
+  /// Once it is traced: whether such a ray has met anything.
+  bool isHit(std::size_t i) const {
+    return valid[i] != 0 && rays.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID;
+  }
+};
+
 /// Whether rays may slip between triangles that share an edge.
 enum class Edges { Fast, Watertight };
 
@@ -32,7 +44,9 @@ class EmbreeTracer {
 
   /// Finds which of the rays meet anything, on this thread alone.
   void trace(std::span<RayPacket> packets) const;
-  /// The same of rays that are traced one by one: Embree makes `tfar` of such negative.
+  /// Finds what each of the rays first meets, on this thread alone.
+  void trace(std::span<HitPacket> packets) const;
+  /// Which meet anything, of rays that are traced one by one: Embree makes `tfar` of such negative.
   void trace(std::span<RTCRay> rays) const;
 
  private:
@@ -43,6 +57,7 @@ class EmbreeTracer {
   std::shared_ptr<RTCSceneTy> scene_;
   decltype(&rtcOccluded8) occluded8_ = nullptr;
   decltype(&rtcOccluded1) occluded1_ = nullptr;
+  decltype(&rtcIntersect8) intersect8_ = nullptr;
 };
 
 }  // namespace hearth

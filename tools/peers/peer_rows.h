@@ -42,6 +42,9 @@ Prepared prepareTutorialPairs(PeerInputs& inputs);
 /// Rays from lights that Hearth tests a second against a model of 99,856 triangles, over those that
 /// Embree does; millions of both.
 Prepared prepareShadowRays(PeerInputs& inputs);
+/// Ranges of directions from texels of the castle in which slices find what they meet, a second,
+/// over rays to what is met that Embree traces; millions of both.
+Prepared prepareGatherRays(PeerInputs& inputs);
 /// Seconds of a bake of Freedoom's largest map on two threads.
 Prepared prepareLargestBake(PeerInputs& inputs);
 /// The same over those of Embree; seconds of both, and millions of rays.

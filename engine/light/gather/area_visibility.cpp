@@ -51,14 +51,6 @@ double slopeOf(Vec2 unit) {
   return unit.x > 0 ? unit.y / unit.x : std::copysign(kStraightUp, unit.y);
 }
 
-/// The slopes of directions before a plane; `ahead` is the part of its normal in their compass
-/// direction.
-SlopeRange slopesBefore(Vec3 normal, double ahead) {
-  if (normal.z == 0) return ahead > 0 ? SlopeRange{-kStraightUp, kStraightUp} : SlopeRange{0, 0};
-  const double inPlane = -ahead / normal.z;
-  return normal.z > 0 ? SlopeRange{inPlane, kStraightUp} : SlopeRange{-kStraightUp, inPlane};
-}
-
 }  // namespace
 
 /// What a receiver makes of directions: the cosine before a surface, integrated over them, or their

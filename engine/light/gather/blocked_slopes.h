@@ -6,6 +6,8 @@
 #include <limits>
 #include <vector>
 
+#include "math/vec.h"
+
 namespace hearth {
 
 /// The slope of straight up; straight down has the opposite.
@@ -21,6 +23,13 @@ struct SlopeRange {
 
 inline SlopeRange common(SlopeRange a, SlopeRange b) {
   return {std::max(a.from, b.from), std::min(a.to, b.to)};
+}
+
+/// Those before a plane; `ahead` is the part of its normal in their compass direction.
+inline SlopeRange slopesBefore(Vec3 normal, double ahead) {
+  if (normal.z == 0) return ahead > 0 ? SlopeRange{-kStraightUp, kStraightUp} : SlopeRange{0, 0};
+  const double inPlane = -ahead / normal.z;
+  return normal.z > 0 ? SlopeRange{inPlane, kStraightUp} : SlopeRange{-kStraightUp, inPlane};
 }
 
 /// Calls `visit` for what ranges leave of one, from below. They are those of `blocked`, rising,
