@@ -1,10 +1,12 @@
 #include "truth/gather_rays.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "level/locate.h"
 #include "math/predicates.h"
 #include "math/tolerance.h"
+#include "math/trig.h"
 
 namespace hearth {
 
@@ -35,6 +37,16 @@ std::optional<SectorId> sectorAround(const Level& level, const TruthMeshes& mesh
 }
 
 }  // namespace
+
+Vec3 cosineDirection(Vec3 normal, double u, double v) {
+  const Vec3 other = std::abs(normal.z) < 0.9 ? Vec3{0, 0, 1} : Vec3{1, 0, 0};
+  const Vec3 across = cross(normal, other);
+  const Vec3 right = 1 / length(across) * across;
+  const Vec3 up = cross(right, normal);
+  const double radius = std::sqrt(u);
+  const auto [s, c] = sinCosDegrees(360 * v);
+  return (radius * c) * right + (radius * s) * up + std::sqrt(1 - u) * normal;
+}
 
 GatherRays::GatherRays(const Level& level, const TruthMeshes& meshes, const SurfacePoint& place)
     : level_(level),

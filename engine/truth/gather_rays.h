@@ -8,6 +8,10 @@
 
 namespace hearth {
 
+/// A direction whose frequency goes with the cosine to a normal of length 1. `u` and `v` are evenly
+/// spread in 0..1 (Malley's method; Pharr, Jakob, Humphreys, "Physically Based Rendering", 13.6.3).
+Vec3 cosineDirection(Vec3 normal, double u, double v);
+
 /// Rays from a point of a surface or of the air to where light may come from.
 class GatherRays {
  public:

@@ -31,18 +31,6 @@ Vec3 meanOf(const std::vector<Vec3>& values) {
   return 1.0 / static_cast<double>(values.size()) * sum;
 }
 
-/// A direction whose frequency goes with the cosine to a normal of length 1. `u` and `v` are evenly
-/// spread in 0..1 (Malley's method; Pharr, Jakob, Humphreys, "Physically Based Rendering", 13.6.3).
-Vec3 cosineDirection(Vec3 normal, double u, double v) {
-  const Vec3 other = std::abs(normal.z) < 0.9 ? Vec3{0, 0, 1} : Vec3{1, 0, 0};
-  const Vec3 across = cross(normal, other);
-  const Vec3 right = 1 / length(across) * across;
-  const Vec3 up = cross(right, normal);
-  const double radius = std::sqrt(u);
-  const auto [s, c] = sinCosDegrees(360 * v);
-  return (radius * c) * right + (radius * s) * up + std::sqrt(1 - u) * normal;
-}
-
 /// All directions alike.
 Vec3 anyDirection(double u, double v) {
   const double z = 2 * u - 1;

@@ -46,21 +46,6 @@ std::vector<std::size_t> lightsBefore(const Level& level, const LitSurface& surf
   return lights;
 }
 
-void setRay(RayPacket& packet, std::size_t lane, Vec3 from, Vec3 to) {
-  RTCRay8& rays = packet.rays;
-  rays.org_x[lane] = static_cast<float>(from.x);
-  rays.org_y[lane] = static_cast<float>(from.y);
-  rays.org_z[lane] = static_cast<float>(from.z);
-  rays.dir_x[lane] = static_cast<float>(to.x - from.x);
-  rays.dir_y[lane] = static_cast<float>(to.y - from.y);
-  rays.dir_z[lane] = static_cast<float>(to.z - from.z);
-  rays.tnear[lane] = 0;
-  rays.tfar[lane] = kWay;
-  rays.time[lane] = 0;
-  rays.mask[lane] = ~0U;
-  rays.flags[lane] = 0;
-}
-
 std::int64_t raysIn(const RayPacket& packet) {
   return std::int64_t{kLanes} - std::ranges::count(packet.valid, 0);
 }
@@ -150,7 +135,8 @@ void BakeRays::forEachPacket(const SurfaceSamples& surface, std::size_t everyRow
           const bool isThere = first + lane < row.size() && takes(light, row[first + lane]);
           packet.valid[lane] = isThere ? -1 : 0;
           const Sample& sample = row[std::min(first + lane, row.size() - 1)];
-          setRay(packet, lane, scene_.level().lights[light].position, sample.target);
+          const Vec3 from = scene_.level().lights[light].position;
+          setRay(packet.rays, lane, from, sample.target - from, kWay);
         }
         if (raysIn(packet) > 0) use(light, row, first, packet);
       }

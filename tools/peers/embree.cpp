@@ -25,6 +25,20 @@ void fill(std::span<const MeshTriangle> mesh, float* vertices, unsigned* indices
 
 }  // namespace
 
+void setRay(RTCRay8& rays, std::size_t lane, Vec3 origin, Vec3 direction, float end) {
+  rays.org_x[lane] = static_cast<float>(origin.x);
+  rays.org_y[lane] = static_cast<float>(origin.y);
+  rays.org_z[lane] = static_cast<float>(origin.z);
+  rays.dir_x[lane] = static_cast<float>(direction.x);
+  rays.dir_y[lane] = static_cast<float>(direction.y);
+  rays.dir_z[lane] = static_cast<float>(direction.z);
+  rays.tnear[lane] = 0;
+  rays.tfar[lane] = end;
+  rays.time[lane] = 0;
+  rays.mask[lane] = ~0U;
+  rays.flags[lane] = 0;
+}
+
 tl::expected<EmbreeTracer, std::string> EmbreeTracer::of(std::span<const MeshTriangle> mesh,
                                                          Edges edges) {
   EmbreeTracer tracer;

@@ -12,6 +12,9 @@
 
 namespace hearth {
 
+/// Sets one of eight rays, in single precision, of parameters from 0 to an end.
+void setRay(RTCRay8& rays, std::size_t lane, Vec3 origin, Vec3 direction, float end);
+
 /// Eight rays that are traced together, in single precision. `valid` is -1 of those that count.
 struct RayPacket {
   RTCRay8 rays;

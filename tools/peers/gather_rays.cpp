@@ -1,7 +1,8 @@
 // What is seen from texels in all directions, against rays of Embree.
 
+#include "truth/gather_rays.h"
+
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <memory>
@@ -37,39 +38,10 @@ BakeSettings withBounces(BakeSettings settings) {
   return settings;
 }
 
-/// Of length 1, before a surface, as frequent as the cosine to its normal is large.
-Vec3 directionBefore(Vec3 normal, double u, double v) {
-  const Vec3 other = std::abs(normal.z) < 0.9 ? Vec3{0, 0, 1} : Vec3{1, 0, 0};
-  const Vec3 across = cross(normal, other);
-  const Vec3 right = 1 / length(across) * across;
-  const SinCos around = sinCosDegrees(360 * v);
-  return std::sqrt(u) * (around.cos * right + around.sin * cross(right, normal)) +
-         std::sqrt(1 - u) * normal;
-}
-
-void setRay(HitPacket& packet, std::size_t i, Vec3 origin, Vec3 direction) {
-  const auto single = [](double x) { return static_cast<float>(x); };
-  RTCRay8& rays = packet.rays.ray;
-  rays.org_x[i] = single(origin.x);
-  rays.org_y[i] = single(origin.y);
-  rays.org_z[i] = single(origin.z);
-  rays.dir_x[i] = single(direction.x);
-  rays.dir_y[i] = single(direction.y);
-  rays.dir_z[i] = single(direction.z);
-  rays.tnear[i] = 0;
-  rays.tfar[i] = std::numeric_limits<float>::infinity();
-  rays.time[i] = 0;
-  rays.mask[i] = ~0U;
-  rays.id[i] = 0;
-  rays.flags[i] = 0;
-  packet.rays.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
-  packet.valid[i] = -1;
-}
-
 /// Some texels of a level, and what is seen from them.
-class GatherRays {
+class SeenFromTexels {
  public:
-  GatherRays(const Scene& scene, const BakedLight& light, EmbreeTracer tracer)
+  SeenFromTexels(const Scene& scene, const BakedLight& light, EmbreeTracer tracer)
       : bounces_(scene, withBounces(scene.level().bake), 1),
         slice_(bounces_.scene(), scene.level().bake.solidMaskedMiddles),
         texels_(LightPlaces(scene, light).some(kTexels, [](const LightPlace&) { return true; })),
@@ -130,7 +102,11 @@ class GatherRays {
         if (k % 8 == 0) packets.emplace_back();
         const double around = (static_cast<double>(k) + 0.5) / static_cast<double>(pairs[i]);
         const double u = evenly(static_cast<int>(i), static_cast<int>(k), 0);
-        setRay(packets.back(), k % 8, origin, directionBefore(normal, u, around));
+        HitPacket& packet = packets.back();
+        setRay(packet.rays.ray, k % 8, origin, cosineDirection(normal, u, around),
+               std::numeric_limits<float>::infinity());
+        packet.rays.hit.geomID[k % 8] = RTC_INVALID_GEOMETRY_ID;
+        packet.valid[k % 8] = -1;
       }
     }
     return packets;
@@ -149,7 +125,7 @@ Prepared prepareGatherRays(PeerInputs& inputs) {
   if (!level) return tl::unexpected(level.error());
   const Scene scene = (*level)->loaded.scene();
   return EmbreeTracer::of(meshInLight(scene)).map([&](EmbreeTracer tracer) -> Measure {
-    const auto rays = std::make_shared<GatherRays>(scene, (*level)->light, std::move(tracer));
+    const auto rays = std::make_shared<SeenFromTexels>(scene, (*level)->light, std::move(tracer));
     return [rays, &inputs] { return rays->measure(inputs.clock()); };
   });
 }
