@@ -100,6 +100,9 @@ class Tradeoff(unittest.TestCase):
     def test_needs_areas_to_measure(self):
         self.refuse(measure_room("--areas"), "room.json: --areas: .*--bounces 1 lets it")
 
+    def test_measures_areas_or_movers(self):
+        self.refuse(measure_room("--areas", "--movers"), "--movers and --areas .* give one")
+
     def test_needs_a_level_to_measure(self):
         self.refuse(run(), "LEVEL is required")
 

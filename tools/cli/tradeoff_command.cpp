@@ -59,6 +59,10 @@ class Told {
   bool isQuiet_;
 };
 
+int repeatsFrom(const OptionValues& values) {
+  return static_cast<int>(values.number(Option::Repeats).value_or(kTrialRepeats));
+}
+
 tl::expected<TradeoffReport, std::string> measured(LoadedLevel loaded, OptionValues values) {
   if (loaded.level.shots.empty())
     return tl::unexpected(fmt::format(
@@ -81,7 +85,7 @@ tl::expected<TradeoffReport, std::string> measured(LoadedLevel loaded, OptionVal
   report.truthSize = parseSize(values.text(Option::Size).value_or("")).value_or(kTruthSize);
   TrialSetup setup;
   setup.threads = threadsFrom(values);
-  setup.repeats = static_cast<int>(values.number(Option::Repeats).value_or(kTrialRepeats));
+  setup.repeats = repeatsFrom(values);
   setup.clock = steadySeconds;
   const Told told(values.has(Option::Quiet));
   setup.onProgress = [&](std::size_t done) { told.tell("settings", done, trials->size()); };
@@ -130,15 +134,12 @@ ExitStatus tradeAreas(const OptionValues& values) {
   AreaTrialSetup setup;
   setup.threads = threadsFrom(values);
   setup.clock = steadySeconds;
-  if (const auto repeats = values.number(Option::Repeats))
-    setup.repeats = static_cast<int>(*repeats);
-  const bool isQuiet = values.has(Option::Quiet);
-  setup.onProgress = [isQuiet](std::string_view what) {
-    if (!isQuiet) fmt::print(stderr, "{}\n", what);
-  };
-  const AreaReport report{
-      values.level, thisMachine(), setup.threads, settings->bounces,
-      measureAreas(*loaded, *settings, triedValues(Option::GatherError), setup)};
+  setup.repeats = repeatsFrom(values);
+  const std::vector<double> gatherErrors = triedValues(Option::GatherError);
+  const Told told(values.has(Option::Quiet));
+  setup.onProgress = [&](std::size_t done) { told.tell("settings", done, gatherErrors.size()); };
+  const AreaReport report{values.level, thisMachine(), setup.threads, settings->bounces,
+                          measureAreas(*loaded, *settings, gatherErrors, setup)};
   fmt::print("{}", values.has(Option::Csv) ? csvOf(report.trials) : tableOf(report.trials));
   return writePageIfAsked(values, report);
 }
@@ -154,8 +155,7 @@ ExitStatus tradeMovers(const OptionValues& values) {
   MoverTrialSetup setup;
   setup.threads = threadsFrom(values);
   setup.clock = steadySeconds;
-  if (const auto repeats = values.number(Option::Repeats))
-    setup.repeats = static_cast<int>(*repeats);
+  setup.repeats = repeatsFrom(values);
   const auto trials = measureMovers(authored, opened.source, *settings, triedStages(), setup);
   if (!trials) return fail(trials.error());
   fmt::print("{}", values.has(Option::Csv) ? csvOf(*trials) : tableOf(*trials));
@@ -170,6 +170,8 @@ ExitStatus runTradeoff(const OptionValues& values) {
   if (values.level.empty())
     return fail(
         fmt::format("LEVEL is required, or --list; see `{} tradeoff --help`", values.program));
+  if (values.has(Option::Movers) && values.has(Option::Areas))
+    return fail("--movers and --areas measure different settings: give one of them");
   if (values.has(Option::Movers)) return tradeMovers(values);
   if (values.has(Option::Areas)) return tradeAreas(values);
   std::optional<LoadedLevel> loaded = loadAndReport(values);

@@ -9,6 +9,7 @@
 
 #include "light/bakery.h"
 #include "math/parallel.h"
+#include "math/spread.h"
 #include "measure/light_places.h"
 #include "measure/tradeoff/cost.h"
 #include "truth/truth_gather.h"
@@ -103,7 +104,6 @@ bool takeOutAreas(Level& level) {
 std::vector<AreaTrial> measureAreas(const LoadedLevel& loaded, const BakeSettings& settings,
                                     std::span<const double> gatherErrors,
                                     const AreaTrialSetup& setup) {
-  setup.onProgress("truth");
   const Level level = asPoints(loaded.level, settings);
   const Scene scene(level, loaded.geometry);
   Level others = level;
@@ -113,9 +113,9 @@ std::vector<AreaTrial> measureAreas(const LoadedLevel& loaded, const BakeSetting
   const AreaTruth truth(level, scene, whole, direct, setup);
 
   std::vector<AreaTrial> trials;
+  std::vector<double> ownSeconds;
   for (const double gatherError : gatherErrors) {
     AreaTrial trial{.gatherError = gatherError};
-    setup.onProgress(nameOf(trial));
     BakeSettings its = level.bake;
     its.gatherError = gatherError;
     BakedLight own;
@@ -128,11 +128,13 @@ std::vector<AreaTrial> measureAreas(const LoadedLevel& loaded, const BakeSetting
     const TurnTimes times = timedInTurn([&] { return secondsOf(level.bake, own); },
                                         [&] { return secondsOf(its, baked); }, setup.repeats);
     trial.cost = costOf(ratiosOf(times));
-    trial.seconds = trial.cost * times.bases.front();
+    ownSeconds.insert(ownSeconds.end(), times.bases.begin(), times.bases.end());
     trial.slices = slicesOf(level, baked);
     truth.compare(baked, trial);
     trials.push_back(trial);
+    setup.onProgress(trials.size());
   }
+  for (AreaTrial& trial : trials) trial.seconds = trial.cost * spreadOf(ownSeconds).median;
   return trials;
 }
 

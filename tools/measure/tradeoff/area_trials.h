@@ -5,7 +5,6 @@
 #include <functional>
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "level/bake_settings.h"
@@ -43,8 +42,8 @@ struct AreaTrialSetup {
   int threads = 1;  ///< of bakes, and of truth
   int repeats = 3;
   std::size_t places = 1000;
-  Clock clock;                                            ///< must advance between two calls
-  std::function<void(std::string_view what)> onProgress;  ///< called before what takes long
+  Clock clock;  ///< must advance between two calls
+  std::function<void(std::size_t done)> onProgress;
 };
 
 /// Takes all lights that are areas out of a level, and lets none bounce. Whether that changes it.
