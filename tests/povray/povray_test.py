@@ -8,6 +8,7 @@ holds POV-Ray against itself with twice as close settings, which takes ten minut
 """
 
 import json
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -112,6 +113,8 @@ def povray_picture(room, settings, folder):
     """Of one thread: with more, the order of the gathers differs from run to run."""
     (folder / "room.pov").write_text(scene(room, settings))
     picture = folder / "povray.ppm"
+    if not shutil.which("povray"):
+        sys.exit("povray is missing: tools/setup test installs it")
     run = subprocess.run(["povray", "+Iroom.pov", f"+O{picture}", f"+W{WIDTH}", f"+H{HEIGHT}", "-D", "-A", "+FP16",
                           "File_Gamma=1.0", "+WT1"], cwd=folder, capture_output=True, text=True)
     if run.returncode != 0:
@@ -130,9 +133,9 @@ def main():
     for name, room in ROOMS.items():
         with tempfile.TemporaryDirectory() as folder:
             own = hearth_picture(Path(hearth).resolve(), room, Path(folder))
-            other = povray_picture(room, SETTINGS, Path(folder))
             if own.max() == 255:
                 sys.exit(f"{name}: pixels of 255 levels cannot be compared")
+            other = povray_picture(room, SETTINGS, Path(folder))
             failed |= apart(own, other) > MOST_APART
             line = f"{name}: {100 * apart(own, other):.1f} % apart, {own.mean():.2f} and {other.mean():.2f} levels " \
                    "in the mean"
