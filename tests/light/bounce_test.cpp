@@ -110,9 +110,10 @@ TEST(Bounces, DoNotLeakThroughThinWalls) {
       levelFrom(level, "{'lights':[{'x':2,'y':2,'z':1.5}],'bake':{'bounces':4}}");
   const BakedLight baked = bake(rooms.scene(), rooms.level.bake, 2);
   for (std::size_t i = 0; i < baked.surfaces.size(); ++i)
-    if (baked.surfaces[i])
+    if (baked.surfaces[i]) {
       EXPECT_EQ(baked.lightmaps[i].has_value(), rooms.level[SurfaceId(i)].sector == SectorId(0))
           << i;
+    }
 }
 
 TEST(Bounces, GiveTheSameBytesWithAnyThreadsInPartsAndInRebakes) {
@@ -130,7 +131,9 @@ TEST(Bounces, GiveTheSameBytesWithAnyThreadsInPartsAndInRebakes) {
   ASSERT_TRUE(joined.has_value());
   for (std::size_t i = 0; i < whole.lightmaps.size(); ++i) {
     ASSERT_EQ(joined->lightmaps[i].has_value(), whole.lightmaps[i].has_value()) << i;
-    if (whole.lightmaps[i]) EXPECT_EQ(joined->lightmaps[i]->levels, whole.lightmaps[i]->levels);
+    if (whole.lightmaps[i]) {
+      EXPECT_EQ(joined->lightmaps[i]->levels, whole.lightmaps[i]->levels);
+    }
   }
 
   LightMemory memory;

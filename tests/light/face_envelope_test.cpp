@@ -109,7 +109,9 @@ TEST(FaceEnvelope, HasTheNearestFaceAtEachSlope) {
       const auto there = std::ranges::find_if(
           seen, [&](const Seen& part) { return slope > part.from && slope < part.to; });
       ASSERT_EQ(there != seen.end(), nearest != nullptr) << round << " at " << slope;
-      if (nearest) EXPECT_EQ(there->face, nearest->face) << round << " at " << slope;
+      if (nearest) {
+        EXPECT_EQ(there->face, nearest->face) << round << " at " << slope;
+      }
     }
   }
 }
