@@ -9,11 +9,11 @@ AreaLattice::Fineness AreaLattice::finenessFor(LightVisibilities::Purpose purpos
   constexpr int kSide = 8;
   switch (purpose) {
     case LightVisibilities::Purpose::Bake:
-      return {{kSide, 0, true}, 1, 3};
+      return {{.side = kSide, .narrow = 0, .areDivided = true}, 1, 3};
     case LightVisibilities::Purpose::Source:
-      return {{4 * kSide, kSide / 2, true}, 4, 8};
+      return {{.side = 4 * kSide, .narrow = kSide / 2, .areDivided = true}, 4, 8};
     case LightVisibilities::Purpose::Draft:
-      return {{kSide, 0, false}, 1, 3};
+      return {{.side = kSide, .narrow = 0, .areDivided = false}, 1, 3};
   }
   CHECK(false, static_cast<int>(purpose));
 }

@@ -53,9 +53,8 @@ class AreaLattice {
   /// Of the lattice.
   struct Fineness {
     LightLattice::Cells cells;
-    // By which interpolation may be off if the gather error is 1.
-    double levels;
-    double levelsOfBounced;
+    double levels;           ///< by which interpolation may be off if the gather error is 1
+    double levelsOfBounced;  ///< the same of light that bounces
   };
 
   static Fineness finenessFor(LightVisibilities::Purpose purpose);
