@@ -18,7 +18,7 @@ struct BakeSettings {
   int bounces = 0;
   double reflectance = 1;  ///< 0..1, of all textures, by which their own is multiplied
   /// Levels, more than 0: how far off interpolated light of the sky and of surfaces that shine may
-  /// be. Light that bounces may be twice as far off.
+  /// be. Light that bounces may be three times as far off.
   double gatherError = 1;
   /// No light passes through the holes of masked middle textures, and no texel is asked for one.
   bool solidMaskedMiddles = false;

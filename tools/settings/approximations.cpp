@@ -30,7 +30,7 @@ constexpr std::array kApproximations = {
     Approximation{
         Option::GatherError, Of::Bake, "0.25|0.5|1|2|4|8",
         "between the places where light of the sky and of shining surfaces is gathered, as "
-        "many levels as it says; of light that bounces, twice as many",
+        "many levels as it says; of light that bounces, three times as many",
         "engine/light/gather/light_lattice.h"},
     Approximation{Option::MiddleShadows, Of::Bake, "holes|solid",
                   "solid: all the light that comes through holes of middle textures",

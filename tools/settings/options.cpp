@@ -141,7 +141,7 @@ constexpr std::array kTable = {
               "leave a light out from where on it has no more than so many levels"},
     OptionRow{Option::GatherError, "--gather-error", ValueKind::Number, "LEVELS", 0.0625, 64, "1",
               "how far off interpolated light of the sky and of surfaces that shine may be; light "
-              "that bounces may be twice as far off"},
+              "that bounces may be three times as far off"},
     OptionRow{Option::MiddleShadows, "--middle-shadows", ValueKind::Choice, "holes|solid", 0, 0,
               "holes", "of what hangs in openings: with its holes, or as if it had none"},
     OptionRow{Option::Bounces, "--bounces", ValueKind::Integer, "COUNT", 0, 16, "0",

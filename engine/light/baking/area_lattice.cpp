@@ -7,13 +7,15 @@ namespace hearth {
 AreaLattice::Fineness AreaLattice::finenessFor(LightVisibilities::Purpose purpose) {
   // Texels along the sides of cells: a metre of texels as large as they are by default.
   constexpr int kSide = 8;
+  // Half of the surfaces of a level with models are no wider than two texels.
+  constexpr int kNarrowSurface = 2;
   switch (purpose) {
     case LightVisibilities::Purpose::Bake:
-      return {{.side = kSide, .narrow = 0, .areDivided = true}, 1, 3};
+      return {{.side = kSide, .narrow = kNarrowSurface, .areDivided = true}, 1, 3};
     case LightVisibilities::Purpose::Source:
       return {{.side = 4 * kSide, .narrow = kSide / 2, .areDivided = true}, 4, 8};
     case LightVisibilities::Purpose::Draft:
-      return {{.side = kSide, .narrow = 0, .areDivided = false}, 1, 3};
+      return {{.side = kSide, .narrow = kNarrowSurface, .areDivided = false}, 1, 3};
   }
   CHECK(false, static_cast<int>(purpose));
 }

@@ -13,7 +13,7 @@ int middle(int from, int to) { return from + (to - from) / 2; }
 /// Multiples of a cell's side between two ends, and the ends: none so near to an end that a cell
 /// would be narrow. A single line is both ends of cells without width.
 std::vector<int> linesBetween(int from, int to, const LightLattice::Cells& cells) {
-  if (to - from > 1 && to - from < cells.narrow) return {middle(from, to), middle(from, to)};
+  if (to - from < cells.narrow) return {middle(from, to), middle(from, to)};
   std::vector<int> lines{from};
   const int first =
       static_cast<int>(std::floor(static_cast<double>(from) / cells.side)) * cells.side;

@@ -20,8 +20,10 @@ class LightLattice {
  public:
   /// How many nodes there are.
   struct Cells {
-    int side;    ///< texels, about, of those that nothing divides
-    int narrow;  ///< a rectangle that has no more texels across has one line of nodes in its middle
+    int side;  ///< texels, about, of those that nothing divides
+    /// A rectangle that has no more texels across has one line of nodes: in its middle or, of two
+    /// texels, in the first.
+    int narrow;
     bool areDivided;  ///< where needed
   };
   /// Finds the values at the middle of a texel, or where its sample is moved to; false if there are
