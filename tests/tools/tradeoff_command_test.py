@@ -80,12 +80,17 @@ class Tradeoff(unittest.TestCase):
         for a, b in zip(rows(first), rows(second), strict=True):
             self.assertEqual([a[key] for key in ("settings", "slices", "light_rms", "over4")],
                              [b[key] for key in ("settings", "slices", "light_rms", "over4")])
-        fine, *_, coarse = rows(first)
+        fine, *_, coarse, once, never = rows(first)
         self.assertGreater(int(fine["slices"]), int(coarse["slices"]))
         self.assertGreater(int(fine["places"]), 500)
-        # In a closed room of one colour all errors are of rounding.
-        for row in rows(first):
+        # In a closed room of one colour all errors are of rounding, ...
+        for row in rows(first)[:-2]:
             self.assertLess(float(row["light_rms"]), 0.5)
+        # ... and fewer bounces leave out the last, which are dimmer.
+        self.assertEqual([once["settings"], never["settings"]], ["--bounces 1", "--bounces 0"])
+        self.assertGreater(float(once["light_rms"]), 1)
+        self.assertGreater(float(never["light_rms"]), 2 * float(once["light_rms"]))
+        self.assertEqual(int(never["slices"]), 0)
 
     def test_writes_a_page_of_light_of_areas(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -121,6 +121,16 @@ std::vector<int> triedStages() {
   return counts;
 }
 
+/// Gather errors, and fewer bounces than a level's.
+std::vector<AreaSetting> triedOfAreas(int bounces) {
+  std::vector<AreaSetting> tried;
+  for (const double value : triedValues(Option::GatherError))
+    tried.push_back({AreaSetting::Of::GatherError, value});
+  for (int fewer = bounces - 1; fewer >= 0; --fewer)
+    tried.push_back({AreaSetting::Of::Bounces, static_cast<double>(fewer)});
+  return tried;
+}
+
 ExitStatus tradeAreas(const OptionValues& values) {
   const std::optional<LoadedLevel> loaded = loadAndReport(values);
   if (!loaded) return ExitStatus::BadInput;
@@ -135,11 +145,11 @@ ExitStatus tradeAreas(const OptionValues& values) {
   setup.threads = threadsFrom(values);
   setup.clock = steadySeconds;
   setup.repeats = repeatsFrom(values);
-  const std::vector<double> gatherErrors = triedValues(Option::GatherError);
+  const std::vector<AreaSetting> tried = triedOfAreas(settings->bounces);
   const Told told(values.has(Option::Quiet));
-  setup.onProgress = [&](std::size_t done) { told.tell("settings", done, gatherErrors.size()); };
+  setup.onProgress = [&](std::size_t done) { told.tell("settings", done, tried.size()); };
   const AreaReport report{values.level, thisMachine(), setup.threads, settings->bounces,
-                          measureAreas(*loaded, *settings, gatherErrors, setup)};
+                          measureAreas(*loaded, *settings, tried, setup)};
   fmt::print("{}", values.has(Option::Csv) ? csvOf(report.trials) : tableOf(report.trials));
   return writePageIfAsked(values, report);
 }

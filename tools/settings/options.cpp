@@ -104,7 +104,7 @@ constexpr std::array kTable = {
     OptionRow{Option::Movers, "--movers", ValueKind::Flag, "", 0, 0, "",
               "measure what stages of movers cost, and nothing else"},
     OptionRow{Option::Areas, "--areas", ValueKind::Flag, "", 0, 0, "",
-              "measure what gather errors cost, and nothing else"},
+              "measure what gather errors and bounces cost, and nothing else"},
     OptionRow{Option::Doors, "--doors", ValueKind::Choice, "moving|open|closed", 0, 0, "moving",
               "doors, lifts and floors move; or nothing does, and doors stand so, with lifts down "
               "where they are open"},

@@ -86,6 +86,14 @@ Level asPoints(Level level, const BakeSettings& settings) {
   return level;
 }
 
+BakeSettings with(const AreaSetting& setting, BakeSettings settings) {
+  if (setting.of == AreaSetting::Of::Bounces)
+    settings.bounces = static_cast<int>(setting.value);
+  else
+    settings.gatherError = setting.value;
+  return settings;
+}
+
 std::int64_t slicesOf(const Level& level, const BakedLight& baked) {
   std::int64_t slices = 0;
   for (std::size_t i = 0; i < baked.lightCosts.size(); ++i)
@@ -102,7 +110,7 @@ bool takeOutAreas(Level& level) {
 }
 
 std::vector<AreaTrial> measureAreas(const LoadedLevel& loaded, const BakeSettings& settings,
-                                    std::span<const double> gatherErrors,
+                                    std::span<const AreaSetting> tried,
                                     const AreaTrialSetup& setup) {
   const Level level = asPoints(loaded.level, settings);
   const Scene scene(level, loaded.geometry);
@@ -114,10 +122,9 @@ std::vector<AreaTrial> measureAreas(const LoadedLevel& loaded, const BakeSetting
 
   std::vector<AreaTrial> trials;
   std::vector<double> ownSeconds;
-  for (const double gatherError : gatherErrors) {
-    AreaTrial trial{.gatherError = gatherError};
-    BakeSettings its = level.bake;
-    its.gatherError = gatherError;
+  for (const AreaSetting& setting : tried) {
+    AreaTrial trial{.setting = setting};
+    const BakeSettings its = with(setting, level.bake);
     BakedLight own;
     BakedLight baked;
     const auto secondsOf = [&](const BakeSettings& of, BakedLight& light) {
@@ -139,7 +146,9 @@ std::vector<AreaTrial> measureAreas(const LoadedLevel& loaded, const BakeSetting
 }
 
 std::string nameOf(const AreaTrial& trial) {
-  return fmt::format("--gather-error {}", trial.gatherError);
+  const auto& [of, value] = trial.setting;
+  return fmt::format("{} {}", of == AreaSetting::Of::Bounces ? "--bounces" : "--gather-error",
+                     value);
 }
 
 double farShareOf(const AreaTrial& trial) {

@@ -14,11 +14,19 @@
 
 namespace hearth {
 
-/// What a gather error costs, and how far off light of areas is: that of the sky, of surfaces that
-/// shine, and that bounces.
+/// A setting of a bake that is tried; all others are those of the level.
+struct AreaSetting {
+  enum class Of { GatherError, Bounces };
+
+  Of of;
+  double value;
+};
+
+/// What a setting costs, and how far off light of areas is with it: that of the sky, of surfaces
+/// that shine, and that bounces.
 struct AreaTrial {
-  double gatherError = 1;
-  double cost = 1;          ///< a multiple of the time with the error of the settings
+  AreaSetting setting;
+  double cost = 1;          ///< a multiple of the time with the settings of the level
   double seconds = 0;       ///< of the whole bake
   std::int64_t slices = 0;  ///< that its areas took
   std::size_t places = 0;   ///< that were compared with truth
@@ -49,15 +57,16 @@ struct AreaTrialSetup {
 /// Takes all lights that are areas out of a level, and lets none bounce. Whether that changes it.
 bool takeOutAreas(Level& level);
 
-/// Bakes a level with each of some gather errors, in turn with its own, and holds the light of
-/// areas at the same texels against truth. That is the light of the bake less that of one without
-/// areas; where lightmaps are at their brightest it is not known, and is not compared. Texels have
-/// one sample, and balls shine from their middles: so truth is a point's, and is found in time.
+/// Bakes a level with each of some settings, in turn with its own, and holds the light of areas at
+/// the same texels against truth, of which as much bounces as the level says. That is the light of
+/// the bake less that of one without areas; where lightmaps are at their brightest it is not known,
+/// and is not compared. Texels have one sample, and balls shine from their middles: so truth is a
+/// point's, and is found in time.
 std::vector<AreaTrial> measureAreas(const LoadedLevel& loaded, const BakeSettings& settings,
-                                    std::span<const double> gatherErrors,
+                                    std::span<const AreaSetting> tried,
                                     const AreaTrialSetup& setup);
 
-/// `--gather-error` and its value.
+/// The option and its value.
 std::string nameOf(const AreaTrial& trial);
 /// Of places, how many are far off.
 double farShareOf(const AreaTrial& trial);

@@ -114,13 +114,19 @@ std::string row(const AreaTrial& of) {
       nameOf(of), of.cost, of.seconds, of.slices, of.places, of.rms, of.most, 100 * farShareOf(of));
 }
 
+/// Of gather errors: what fewer bounces leave out is far more than how far these are off.
 std::string areaPlot(const std::vector<AreaTrial>& trials) {
   std::vector<CostAndError> all;
-  for (const AreaTrial& of : trials) all.push_back({of.seconds, of.rms});
+  std::vector<std::string> names;
+  for (const AreaTrial& of : trials) {
+    if (of.setting.of != AreaSetting::Of::GatherError) continue;
+    all.push_back({of.seconds, of.rms});
+    names.push_back(nameOf(of));
+  }
   const std::vector<bool> front = onParetoFront(all);
   std::vector<PlotPoint> points;
-  for (std::size_t i = 0; i < trials.size(); ++i)
-    points.push_back({all[i].cost, all[i].error, front[i], nameOf(trials[i])});
+  for (std::size_t i = 0; i < all.size(); ++i)
+    points.push_back({all[i].cost, all[i].error, front[i], names[i]});
   return plotOf(points, "seconds to bake", "RMS error of light of areas, levels");
 }
 
@@ -131,8 +137,8 @@ std::string pageOf(const AreaReport& report) {
   html += fmt::format(
       "<p>{}, {} thread(s), {}. Bakes on {} thread(s), all light included, with {} bounce(s); x: "
       "times what the level's own settings take, measured in turn with them. The light of the "
-      "sky, of surfaces that shine, and that bounces is held against truth at the same texels.</p>"
-      "\n<div class=\"plots\">\n",
+      "sky, of surfaces that shine, and that bounces is held against truth at the same texels; "
+      "what fewer bounces leave out counts as error.</p>\n<div class=\"plots\">\n",
       escaped(report.machine.processor), report.machine.threads, escaped(report.machine.compiler),
       report.threads, report.bounces);
   html += figure("On the line: nothing is both shorter and nearer.", areaPlot(report.trials));
