@@ -254,6 +254,19 @@ TEST(LightLattice, HasAllTexelsBesideAStepAndNoNodesBetweenTexels) {
   EXPECT_EQ(std::ranges::adjacent_find(asked), asked.end()) << "asked twice";
 }
 
+/// Of two cells on either side of a line of texels one may be divided there, and the other not.
+TEST(LightLattice, LetsNoRoundingChooseTheCellOfATexel) {
+  const auto fringe = [](int i, int j, std::span<double> values) {
+    const bool isBright = i == 8 ? j == 5 : i > 8 && j >= 3;
+    values[0] = isBright ? 1 : 0;
+    return true;
+  };
+  for (const double off : {-1e-8, 0.0, 1e-8}) {
+    LightLattice lattice({0, 0, 17, 17}, {16, 0, true}, {0.1}, fringe);
+    EXPECT_EQ(lattice.at({8.5 + off, 5.5}, 0), 1) << off;
+  }
+}
+
 TEST(LightLattice, HasOneLineOfNodesAlongWhatIsNarrow) {
   const auto ramp = [](int i, int j, std::span<double> values) {
     EXPECT_EQ(j, 8);

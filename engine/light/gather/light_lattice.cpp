@@ -29,6 +29,16 @@ std::size_t placeIn(const std::vector<int>& lines, double x) {
   return static_cast<std::size_t>(after - lines.begin()) - 1;
 }
 
+/// Counted in middles of texels, no farther out than those of `count` texels. A sample in the
+/// middle of a texel is on a line between cells, and rounding must not choose which of them tells
+/// its light.
+double fromMiddle(double texels, int first, int count) {
+  constexpr double kRounding = 1e-6;
+  const double x = std::clamp<double>(texels - 0.5, first, first + count - 1);
+  const double nearest = std::round(x);
+  return std::abs(x - nearest) < kRounding ? nearest : x;
+}
+
 double fractionOf(double x, int from, int to) {
   return to > from ? std::clamp((x - from) / (to - from), 0.0, 1.0) : 0;
 }
@@ -53,9 +63,8 @@ LightLattice::LightLattice(const TexelRect& texels, const Cells& cells,
 }
 
 double LightLattice::at(Vec2 p, std::size_t value) {
-  // In middles of texels.
-  const double x = std::clamp<double>(p.x - 0.5, texels_.i0, texels_.i0 + texels_.width - 1);
-  const double y = std::clamp<double>(p.y - 0.5, texels_.j0, texels_.j0 + texels_.height - 1);
+  const double x = fromMiddle(p.x, texels_.i0, texels_.width);
+  const double y = fromMiddle(p.y, texels_.j0, texels_.height);
   auto index =
       static_cast<std::uint32_t>(placeIn(rows_, y) * (columns_.size() - 1) + placeIn(columns_, x));
   while (true) {
