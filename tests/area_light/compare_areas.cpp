@@ -6,6 +6,7 @@
 #include <cmath>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -153,10 +154,16 @@ class Comparison {
   }
 
   void compareTexel(SurfaceId id) {
-    const TexelRect& texels = baked_.surfaces[id.index()]->texels;
-    const int i = texels.i0 + static_cast<int>(random_.between(0, texels.width - 1));
-    const int j = texels.j0 + static_cast<int>(random_.between(0, texels.height - 1));
+    const auto& [i, j] = anyTexelOf(baked_.surfaces[id.index()]->texels);
     if (const auto place = places_.onSurface(id, i, j)) addTexel(*place);
+  }
+
+  std::pair<int, int> anyTexelOf(const TexelRect& texels) {
+    const auto from = [&](int first, int count) {
+      return first + static_cast<int>(random_.between(0, count - 1));
+    };
+    const int i = from(texels.i0, texels.width);
+    return {i, from(texels.j0, texels.height)};
   }
 
   void addTexel(const LightPlace& place) {
@@ -184,9 +191,12 @@ class Comparison {
   }
 
   void compareTexel(std::uint32_t index, const LitMesh::Patch& patch) {
-    const Mesh& mesh = level_.meshes[index];
-    const std::uint32_t face = mesh.firstFace + patch.faces[random_.below(patch.faces.size())];
-    if (const auto place = places_.onPatch(index, patch, face)) addTexel(*place);
+    // Many a patch is small: the middles of most of its texels may lie beyond it.
+    constexpr int kTries = 20;
+    for (int k = 0; k < kTries; ++k) {
+      const auto& [i, j] = anyTexelOf(patch.surface.texels);
+      if (const auto place = places_.onPatch(index, patch, i, j)) return addTexel(*place);
+    }
   }
 
   /// In its middle, if light is found at all of its corners.

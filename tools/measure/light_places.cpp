@@ -1,7 +1,7 @@
 #include "measure/light_places.h"
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <random>
 
 #include "light/baking/mesh_light.h"
@@ -9,6 +9,21 @@
 #include "light/sectors_of_meshes.h"
 
 namespace hearth {
+
+namespace {
+
+/// Whether a face has a point of its plane, in texel coordinates.
+bool covers(const TexelGrid& grid, const MeshFace& face, Vec2 p) {
+  std::array<Vec2, 3> corners;
+  std::ranges::transform(face.corners, corners.begin(),
+                         [&](Vec3 corner) { return grid.toTexels(corner); });
+  const auto [a, b, c] = corners;
+  const std::array sides{cross(b - a, p - a), cross(c - b, p - b), cross(a - c, p - c)};
+  return std::ranges::all_of(sides, [](double side) { return side >= 0; }) ||
+         std::ranges::all_of(sides, [](double side) { return side <= 0; });
+}
+
+}  // namespace
 
 LightPlaces::LightPlaces(const Scene& scene, const BakedLight& baked)
     : scene_(scene), baked_(baked), sectors_(sectorsOfMeshes(scene.level())) {}
@@ -28,15 +43,16 @@ std::optional<LightPlace> LightPlaces::onSurface(SurfaceId id, int i, int j) con
 }
 
 std::optional<LightPlace> LightPlaces::onPatch(std::uint32_t mesh, const LitMesh::Patch& patch,
-                                               std::uint32_t face) const {
-  const auto& [a, b, c] = scene_.level().meshFaces[face].corners;
-  const Vec2 texel = patch.surface.grid.toTexels((1 / 3.0) * (a + b + c));
-  const int i = static_cast<int>(std::floor(texel.x));
-  const int j = static_cast<int>(std::floor(texel.y));
+                                               int i, int j) const {
+  const Vec2 middle{i + 0.5, j + 0.5};
+  const std::uint32_t firstFace = scene_.level().meshes[mesh].firstFace;
+  const auto face = std::ranges::find_if(patch.faces, [&](std::uint32_t index) {
+    return covers(patch.surface.grid, scene_.level().meshFaces[firstFace + index], middle);
+  });
   const LitSurfaces alone{patch.surface};
-  const SamplePoint at = PatchPlaces(scene_, sectors_[mesh], alone).place({i + 0.5, j + 0.5});
-  if (at.isMoved) return std::nullopt;
-  const std::optional<SurfacePoint> point = onFace(mesh, face, at.point);
+  const SamplePoint at = PatchPlaces(scene_, sectors_[mesh], alone).place(middle);
+  if (face == patch.faces.end() || at.isMoved) return std::nullopt;
+  const std::optional<SurfacePoint> point = onFace(mesh, firstFace + *face, at.point);
   if (!point) return std::nullopt;
   const TexelRect& texels = patch.surface.texels;
   return LightPlace{*point->mesh, patch.i + i - texels.i0, patch.j + j - texels.j0, *point};
@@ -77,8 +93,9 @@ std::vector<LightPlace> LightPlaces::some(
   for (std::uint32_t mesh = 0; mesh < baked_.meshes.size(); ++mesh)
     for (const LitMesh::Patch& patch : baked_.meshes[mesh].patches)
       add(patch.surface.texels.count(), [&, mesh] {
-        const auto its = static_cast<std::size_t>(below(std::ssize(patch.faces)));
-        return onPatch(mesh, patch, scene_.level().meshes[mesh].firstFace + patch.faces[its]);
+        const TexelRect& texels = patch.surface.texels;
+        return onPatch(mesh, patch, texels.i0 + static_cast<int>(below(texels.width)),
+                       texels.j0 + static_cast<int>(below(texels.height)));
       });
   std::vector<LightPlace> places;
   if (ends.empty()) return places;

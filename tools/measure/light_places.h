@@ -29,11 +29,12 @@ class LightPlaces {
   /// A texel of a surface; none if its middle is beyond the surface or takes light of another
   /// place.
   std::optional<LightPlace> onSurface(SurfaceId id, int i, int j) const;
-  /// The texel of a patch of a mesh in which the middle of one of its faces lies; `face` is an
-  /// index into Level::meshFaces.
-  std::optional<LightPlace> onPatch(std::uint32_t mesh, const LitMesh::Patch& patch,
-                                    std::uint32_t face) const;
-  /// For truth: a point of such a face; none if it is not in the air of any of the mesh's sectors.
+  /// A texel of a patch of a mesh; none if its middle is on none of the patch's faces or takes
+  /// light of another place.
+  std::optional<LightPlace> onPatch(std::uint32_t mesh, const LitMesh::Patch& patch, int i,
+                                    int j) const;
+  /// For truth: a point of a face, by its index into Level::meshFaces; none if it is not in the air
+  /// of any of the mesh's sectors.
   std::optional<SurfacePoint> onFace(std::uint32_t mesh, std::uint32_t face, Vec3 point) const;
 
   /// Wanted texels of surfaces and patches, each as likely as any other, the same in each call:
