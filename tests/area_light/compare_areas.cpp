@@ -154,7 +154,7 @@ class Comparison {
   }
 
   void compareTexel(SurfaceId id) {
-    const auto& [i, j] = anyTexelOf(baked_.surfaces[id.index()]->texels);
+    const auto [i, j] = anyTexelOf(baked_.surfaces[id.index()]->texels);
     if (const auto place = places_.onSurface(id, i, j)) addTexel(*place);
   }
 
@@ -194,7 +194,7 @@ class Comparison {
     // Many a patch is small: the middles of most of its texels may lie beyond it.
     constexpr int kTries = 20;
     for (int k = 0; k < kTries; ++k) {
-      const auto& [i, j] = anyTexelOf(patch.surface.texels);
+      const auto [i, j] = anyTexelOf(patch.surface.texels);
       if (const auto place = places_.onPatch(index, patch, i, j)) return addTexel(*place);
     }
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <random>
+#include <utility>
 
 #include "light/baking/mesh_light.h"
 #include "light/baking/surface_places.h"
@@ -76,6 +77,11 @@ std::vector<LightPlace> LightPlaces::some(
   const auto below = [&](std::int64_t end) {
     return static_cast<std::int64_t>(random() % static_cast<std::uint64_t>(end));
   };
+  // One after the other: which argument of a call comes first is the compiler's choice.
+  const auto anyOf = [&](const TexelRect& texels) {
+    const int i = texels.i0 + static_cast<int>(below(texels.width));
+    return std::pair(i, texels.j0 + static_cast<int>(below(texels.height)));
+  };
   using Draw = std::function<std::optional<LightPlace>()>;
   std::vector<std::int64_t> ends;  // of surfaces and patches, counted in texels
   std::vector<Draw> draws;
@@ -86,16 +92,14 @@ std::vector<LightPlace> LightPlaces::some(
   for (std::size_t k = 0; k < baked_.surfaces.size(); ++k)
     if (const std::optional<LitSurface>& lit = baked_.surfaces[k])
       add(lit->texels.count(), [&, k] {
-        const TexelRect& texels = baked_.surfaces[k]->texels;
-        return onSurface(SurfaceId(k), texels.i0 + static_cast<int>(below(texels.width)),
-                         texels.j0 + static_cast<int>(below(texels.height)));
+        const auto [i, j] = anyOf(baked_.surfaces[k]->texels);
+        return onSurface(SurfaceId(k), i, j);
       });
   for (std::uint32_t mesh = 0; mesh < baked_.meshes.size(); ++mesh)
     for (const LitMesh::Patch& patch : baked_.meshes[mesh].patches)
       add(patch.surface.texels.count(), [&, mesh] {
-        const TexelRect& texels = patch.surface.texels;
-        return onPatch(mesh, patch, texels.i0 + static_cast<int>(below(texels.width)),
-                       texels.j0 + static_cast<int>(below(texels.height)));
+        const auto [i, j] = anyOf(patch.surface.texels);
+        return onPatch(mesh, patch, i, j);
       });
   std::vector<LightPlace> places;
   if (ends.empty()) return places;
