@@ -175,6 +175,21 @@ TEST(Sky, AtPointsOfTheAirComesFromAllDirections) {
   EXPECT_NEAR(fraction, 0.25, 0.001);
 }
 
+/// Posts stand on a box wherever a coarse lattice would ask, as boards do on crates.
+TEST(Sky, LightsWhatLiesBetweenPlacesInsideOfMeshes) {
+  std::string things = "{'mesh':'box.obj','x':0,'y':0}";
+  for (const double x : {-0.5, -0.3125, 0.0625, 0.3125, 0.5})
+    for (const double y : {-0.5, -0.3125, 0.0625, 0.3125, 0.5})
+      things +=
+          fmt::format(",{{'mesh':'box.obj','x':{},'y':{},'z':0.9,'scale':[0.1,0.1,0.2]}}", x, y);
+  const std::string level =
+      levelText(underSky("yard", "-50,-50, 50,-50, 50,50, -50,50", 2), things);
+  const BakedRoom room(
+      levelFrom(level, skyText(200, "", "{'texel':0.125}"), {{"box.obj", test::kBoxModel}}));
+  EXPECT_EQ(room.onMesh({0.0625, 0.0625, 1}, {0, 0, 1}), 0) << "inside of a post";
+  EXPECT_GT(room.onMesh({-0.1875, -0.1875, 1}, {0, 0, 1}), 50);
+}
+
 /// On the ground beside a box of 1 m, on the box, and inside of what it covers.
 TEST(Sky, IsHiddenByMeshesAndLightsThem) {
   const std::string level = levelText(underSky("yard", "-50,-50, 50,-50, 50,50, -50,50", 2),

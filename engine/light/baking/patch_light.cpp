@@ -5,11 +5,15 @@
 
 #include "light/baking/sample_rays.h"
 #include "light/baking/unshadowed_brightness.h"
+#include "light/rays/raytracer.h"
 #include "math/tolerance.h"
 
 namespace hearth {
 
 namespace {
+
+/// Whether more arrives than rounding.
+bool arrives(double fraction) { return fraction > 1e-9; }
 
 /// Metres from a point to the nearest of a patch, or less.
 double distanceTo(const LitSurface& patch, Vec3 from) {
@@ -81,12 +85,20 @@ AreaLattice& PatchLight::areas() {
                    [this](const SamplePoint& at, AreaVisibility& areas, std::span<double> fractions,
                           std::int64_t& slices, SectorSet& met) {
                      const auto sector = sectorAround(scene_, place_.sectors, at.target);
+                     if (!sector) return false;
                      const Vec3 normal = surface().normal;
-                     if (sector)
-                       areas.findOnMesh(at.target, *sector, {&normal, 1}, fractions, slices, &met);
-                     return sector.has_value();
+                     areas.findOnMesh(at.target, *sector, {&normal, 1}, fractions, slices, &met);
+                     return std::ranges::any_of(fractions, arrives) ||
+                            !isInsideMesh(at.target, *sector, met);
                    });
   return *areas_;
+}
+
+/// Whether another part of a mesh, as a board on a crate, covers a point of the patch. What is dark
+/// there tells nothing of the places around it.
+bool PatchLight::isInsideMesh(Vec3 point, SectorId sector, SectorSet& met) const {
+  const Vec3 normal = surface().normal;
+  return Raytracer(scene_).isInsideMesh(point + kPositionSlack * normal, normal, sector, &met);
 }
 
 double PatchLight::unshadowedBrightness(std::size_t index, const SamplePoint& at) const {

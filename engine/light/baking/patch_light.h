@@ -82,6 +82,7 @@ class PatchLight : public PatchPlaces {
 
  private:
   AreaLattice& areas();
+  bool isInsideMesh(Vec3 point, SectorId sector, SectorSet& met) const;
   double seenFraction(const LightVisibility& visibility, std::size_t light, const SamplePoint& at);
   double seenFraction(const SunVisibility& sun, std::size_t light, const SamplePoint& at);
   FacePoint facePointAt(const SamplePoint& at) const {
